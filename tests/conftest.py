@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What the test folders share: which laws there are, found and never listed."""
+"""Fixtures and lists of laws that the test folders share; laws are found, not listed."""
 
 from __future__ import annotations
 
@@ -30,9 +30,9 @@ from plastigran.engine.process import PROJECT
 from plastigran.materials import RIGID, read_material
 from plastigran.usable_laws import laws_for
 
-# Laws that begin with an elastic contact and never attract; all others have tests of their own.
+# Laws that begin with an elastic contact and have no adhesion; other laws have their own tests.
 ELASTIC_FIRST = {n for n, law in laws.LAWS.items() if law.elastic_first and not law.adhesive}
-# Those of them with a model in LIGGGHTS.
+# The laws of ELASTIC_FIRST that have a model in LIGGGHTS.
 ENGINE_LAWS = sorted(
     ELASTIC_FIRST.intersection(
         line.split()[0]
@@ -41,14 +41,14 @@ ENGINE_LAWS = sorted(
 )
 
 
-# Random paths: the same ones every time in `./run test`, others at each `./run search`.
+# Random paths: always the same in `./run test`, different in each `./run search`.
 settings.register_profile("test", max_examples=60, deadline=None, derandomize=True)
 settings.register_profile("search", max_examples=3000, deadline=None)
 settings.load_profile("test")
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    os.environ.setdefault("OMPI_MCA_mpi_yield_when_idle", "1")  # other tests want the cores
+    os.environ.setdefault("OMPI_MCA_mpi_yield_when_idle", "1")  # leave cores to other tests
     resting_ranks = str(PROJECT / "build" / "tests" / "libresting_ranks.so")
     if "ASAN_OPTIONS" not in os.environ and not set(resting_ranks) & set(" :"):
         os.environ.setdefault("LD_PRELOAD", resting_ranks)
@@ -63,16 +63,19 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
     """Run a test for several laws.
 
-    `law_name`: every law that is elastic first and never attracts; `other_law`: every other law.
-    `engine_law`: every `law_name` with a model in LIGGGHTS; `sphere_law`: those of them for
-    spheres; `hertzian_law`: those of these whose elastic contact is Hertz's; `yielding_law`: those
-    of these that yield; `rod_law`: those that the oblique rod takes.
+    law_name: Every law that begins with an elastic contact and has no adhesion.
+    other_law: Every other law.
+    engine_law: Every `law_name` with a model in LIGGGHTS.
+    sphere_law: Every `engine_law` for spheres.
+    hertzian_law: Every `sphere_law` whose elastic contact is Hertz'.
+    yielding_law: Every `sphere_law` that yields.
+    rod_law: Every sphere law that the oblique rod supports.
     """
     if "law_name" in metafunc.fixturenames:
         metafunc.parametrize("law_name", sorted(ELASTIC_FIRST))
     if "other_law" in metafunc.fixturenames:
         metafunc.parametrize("other_law", sorted(laws.LAWS.keys() - ELASTIC_FIRST))
-    if "rod_law" in metafunc.fixturenames:  # its equations of motion know no rate of overlap
+    if "rod_law" in metafunc.fixturenames:  # the rod supports no rate-dependent law
         names = [name for name in laws_for("sphere") if not laws.LAWS[name].rate_dependent]
         metafunc.parametrize("rod_law", names)
     if "sphere_law" in metafunc.fixturenames:
@@ -90,8 +93,8 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
 
 @pytest.fixture
 def start_plastigran():
-    """Starts the command `plastigran` as at a terminal, where Ctrl-C reaches it even when these
-    tests run in the background, which ignores it; nothing of it outlives the test.
+    """Starts the command `plastigran` as at a terminal: Ctrl-C reaches it even if these tests run
+    in the background of a shell. The fixture kills the processes when the test ends.
     """
     started = []
 
@@ -117,7 +120,7 @@ def start_plastigran():
 @pytest.fixture(scope="session")
 def law_between(aluminium):
     """Makes a law between two bodies, `law_between(name, pair, length, **options)`: `length` [m] is
-    a cylinder's and its body's thickness, for laws that ask for them.
+    the length of cylinders and the thickness of bodies, for laws that need them.
     """
 
     @cache
@@ -137,27 +140,27 @@ def decks() -> Path:
 
 @pytest.fixture(scope="session")
 def aluminium():
-    """The paper's aluminium, with a constant the paper does not give, for laws that must have it:
-    restitution near 0.8 for its sphere."""
+    """The aluminum of Zhang & Vu-Quoc (2002). The dissipative constant is added for laws that need
+    it; it gives the paper's sphere a restitution near 0.8."""
     return evolve(read_material("aluminium_zv02"), dissipative_constant=3e-5)
 
 
 @pytest.fixture(scope="session")
 def paper_pair(aluminium):
-    """The paper's sphere on a rigid plane."""
+    """The aluminum of the paper on a rigid plane."""
     return laws.combine(aluminium.body(), RIGID)
 
 
 @pytest.fixture(scope="session")
 def paper_mass(aluminium) -> float:
-    """Mass of the paper's sphere [kg]."""
+    """Mass of the paper's sphere of 0.1 m radius [kg]."""
     return 4 / 3 * pi * 0.1**3 * aluminium.density
 
 
 @pytest.fixture(scope="session")
 def declared_jumps() -> dict[str, list[tuple[float, float]]]:
-    """Jumps of the force in the source of each law: overlap / yield overlap of the paper's metal,
-    and relative change of the force."""
+    """Jumps of the force in the source of each law, for the paper's aluminum: overlap / overlap at
+    yield, and relative change of the force."""
     return {law: impacts.jumps(law) for law in ELASTIC_FIRST}
 
 
@@ -172,7 +175,7 @@ def workers_folder(tmp_path_factory) -> Path:
 def bulk_run(workers_folder):
     """Runs a bulk deck, `bulk_run(deck, settings)`, once for all tests and pytest's workers.
 
-    Tests leave its folder and what it hands over as they are.
+    Tests must not change the folder or the returned object.
     """
     shared = workers_folder / "bulk_runs"
     shared.mkdir(exist_ok=True)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Values for constants that a law requires and materials lack."""
+"""Values of the constants that a law requires and that materials lack."""
 
 from __future__ import annotations
 

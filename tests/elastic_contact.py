@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The elastic contact of sphere laws that have another than Hertz's."""
+"""Elastic contact of the laws for spheres that do not use Hertz' contact."""
 
 from __future__ import annotations
 
@@ -8,16 +8,17 @@ from scipy.special import hyp2f1
 
 from plastigran import laws
 
-#: Laws whose bodies, unyielding, are not those of LIGGGHTS' own hertz.
+#: Laws whose elastic contact differs from LIGGGHTS' own hertz.
 NOT_HERTZIAN = ("mdr",)
 
 
 def mapped_sphere(
     pair: laws.MaterialPair, radius_eff: float, overlap: np.ndarray
 ) -> dict[str, np.ndarray]:
-    """The elastic contact of `mdr`: 2 E' R^2 [acos(1 - y) - (1 - y) sqrt(2y - y^2)], y = d/2R, of
-    the yielding body's E' and a radius R that have the pair's Hertzian force and contact radius.
-    The bracket is 4 sqrt(2)/3 y^1.5 2F1(-1/2, 3/2; 5/2; y/2)."""
+    """Return the elastic contact of `mdr`. The force is 2 E' R^2 [acos(1 - y) - (1 - y) sqrt(2y -
+    y^2)] with y = d/2R and E' of the yielding body. R is chosen so that force and contact radius
+    tend to those of Hertz' contact of the pair. The bracket is 4 sqrt(2)/3 y^1.5 2F1(-1/2, 3/2;
+    5/2; y/2)."""
     modulus = pair.youngs_modulus / (1 - pair.poissons_ratio**2)
     ratio = modulus / pair.youngs_modulus_eff
     radius = radius_eff * ratio

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Which tests start LIGGGHTS, found in what they, their fixtures and their helpers call.
-
-`pytest -m "not engine"` runs the others. It does so without an engine, so that one which is missed
-here fails there.
+"""Mark the tests that start LIGGGHTS, according to the functions that they, their fixtures and
+their helpers call. `pytest -m "not engine"` runs the other tests without LIGGGHTS, so a test that
+is missed here fails there.
 """
 
 from __future__ import annotations
@@ -41,14 +40,14 @@ def mark(items: list[pytest.Item]) -> None:
 
 
 def _functions(item: pytest.Function) -> Iterator[FunctionType]:
-    """The test, its fixtures and the functions of the tests' files that they name."""
+    """Yield the test, its fixtures, and the functions of the test files that they call."""
     fixtures = item._fixtureinfo.name2fixturedefs.values()
     waiting = [item.function, *(fixture.func for found in fixtures for fixture in found)]
     seen = set()
     while waiting:
         function = waiting.pop()
-        inner = getattr(function, "hypothesis", None)  # what @given has wrapped
-        function = unwrap(inner.inner_test if inner else function)  # and a cache
+        inner = getattr(function, "hypothesis", None)  # wrapped by @given
+        function = unwrap(inner.inner_test if inner else function)  # or by a cache
         if not isinstance(function, FunctionType) or function in seen:
             continue
         if not Path(function.__code__.co_filename).is_relative_to(TESTS):
@@ -63,6 +62,6 @@ def _starts(function: FunctionType) -> bool:
 
 
 def _names(code: CodeType) -> set[str]:
-    """Global names and attributes of a function and of those inside it."""
+    """Return the global names and attributes that a function and its inner functions use."""
     inside = (constant for constant in code.co_consts if isinstance(constant, CodeType))
     return set(code.co_names).union(*map(_names, inside))

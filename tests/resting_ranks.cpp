@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-//
-// A sched_yield that sleeps, for the tests. With OMPI_MCA_mpi_yield_when_idle=1, ranks that wait
-// call sched_yield. The kernel's version gives the core away for a whole time slice: four ranks on
-// two busy cores then wait thirty times as long as they compute. The kernel wakes a rank that
-// sleeps before those that compute.
+// A sched_yield for the tests that sleeps. With OMPI_MCA_mpi_yield_when_idle=1, waiting ranks call
+// sched_yield. The version of the kernel gives the core away for a whole time slice. Four ranks on
+// two busy cores then wait thirty times as long as they compute. A sleeping rank wakes up earlier,
+// because the kernel prefers it to computing ranks.
 #include <sched.h>
 #include <time.h>
 #include <unistd.h>
@@ -18,7 +17,7 @@ double seconds() {
   return now.tv_sec + 1e-9 * now.tv_nsec;
 }
 
-// How long a wait is spent awake [s]: no time where another rank waits for this core.
+// Returns how long a waiting rank stays awake [s]; 0 if there are more ranks than cores.
 double awake() {
   const char* ranks = std::getenv("OMPI_COMM_WORLD_LOCAL_SIZE");
   return ranks && std::atol(ranks) <= sysconf(_SC_NPROCESSORS_ONLN) ? 5e-5 : 0;
@@ -28,12 +27,12 @@ double awake() {
 
 extern "C" int sched_yield() noexcept {
   static const double patience = awake();
-  static double begun = 0, last = 0;  // of the present wait, of this call
+  static double begun = 0, last = 0;  // begin of the current wait; time of the last call
   const double now = seconds();
-  if (now - last > 5e-6) begun = now;  // something came in between
+  if (now - last > 5e-6) begun = now;  // a new wait
   last = now;
   if (now - begun < patience) return 0;
-  const timespec shortest{0, 1};  // some 50 us: the kernel's slack
+  const timespec shortest{0, 1};  // the kernel makes it about 50 us
   nanosleep(&shortest, nullptr);
   last = seconds();
   return 0;

@@ -32,7 +32,7 @@ def short_gas(bulk_run) -> Path:
 
 @pytest.fixture
 def cut_log(short_gas, tmp_path):
-    """Copies the run as if killed some lines before its end, `cut_log(lines)`."""
+    """Copies the run without its last lines of the log, as after a kill, `cut_log(lines)`."""
 
     def cut(lines: int) -> Path:
         folder = Path(shutil.copytree(short_gas, tmp_path / "stopped"))

@@ -40,7 +40,7 @@ fix m2 all property/global poissonsRatio peratomtype 0.3
 fix m3 all property/global yieldStrength peratomtype 3.0e8
 fix m4 all property/global coefficientFriction peratomtypepair 1 0.3
 """
-#: Settings of a deck that can continue.
+#: The two settings that a deck needs to continue from a checkpoint.
 START = "variable start index fresh\nvariable checkpoint index none\n"
 
 

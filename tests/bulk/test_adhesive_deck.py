@@ -32,7 +32,7 @@ def test_shares_of_adhesion_complete_the_energy_input(tmp_path):
     run = run_bulk(deck, {}, tmp_path / "run", show=False)
     assert run.passed and len(run.checks) == 2
 
-    # One grain sticks: its contact keeps a surface energy. Without it the input would be too large.
+    # One grain sticks, so its contact keeps a negative surface energy.
     series, mass = run.series, 4 / 3 * 3.141592653589793 * 2.5e-6**3 * 1350
     kinetic = 0.5 * mass * (0.4**2 + 0.8**2 + 1.6**2)
     assert series["surfaces"].iloc[-1] < -0.01 * kinetic

@@ -15,7 +15,7 @@ from plastigran.bulk.decks.bed_impact.measurement import (
 from plastigran.bulk.run import run_bulk
 from plastigran.cli import main
 
-#: Settings that make a run on the plate shorter still.
+#: Settings of a very short run on the plate.
 FEW = {"side": 3, "slowest": 0.1, "duration": 0.02, "rows": 40, "dissipative_constant": 1e-5}
 
 
@@ -30,24 +30,24 @@ def bed(brief_run):
 
 
 def test_every_shot_rebounds_as_the_law_says(plate):
-    """The error is below a tenth of the limit of the check: an impact has some hundred steps."""
+    """An impact has some hundred steps, so the error is below a tenth of the limit of the check."""
     assert plate.passed
     checks = plate.checks.set_index("name")
     assert checks.loc["restitution of a shot compared with the law, relative", "value"] < 1e-4
     shot = measure_shots(read_grains_dump(plate.folder / "grains.dump"), 1e-3, 0)
-    # Speeds are spread, and restitution changes over them.
+    # The impact speeds are spread, and restitution decreases with speed.
     speed = shot["impact_speed"]
     assert speed.min() < 0.25 and speed.max() > 0.85 and speed.between(0.1, 1).all()
     restitution = shot["rebound_speed"] / speed
     assert restitution[speed.idxmin()] - restitution[speed.idxmax()] > 0.1
-    # A shot loses its plastic work.
+    # The kinetic energy that a shot loses equals its plastic work.
     mass = 4 / 3 * np.pi * 1e-9 * 1500
     lost = 0.5 * mass * (speed**2 - shot["rebound_speed"] ** 2)
     assert shot["plastic_work"].to_numpy() == pytest.approx(lost, rel=1e-3)
 
 
 def test_viscous_law(tmp_path):
-    """It dissipates energy without plastic work."""
+    """A viscous law dissipates energy without plastic work."""
     viscous = FEW | {"law": "viscoelastic_hertz"}
     run = run_bulk("bed_impact", viscous, tmp_path / "run", show=False)
     assert run.passed
@@ -75,7 +75,7 @@ def test_bed_absorbs_the_shots(bed):
     assert len(grains) - count == 16
     shot = measure_shots(grains.iloc[count:], 1e-3, 9.81)
     assert (shot["rebound_speed"] ** 2).sum() < 0.1 * (shot["impact_speed"] ** 2).sum()
-    # Each shot falls by its radius to the surface.
+    # Each shot starts one radius above the surface.
     fallen = shot["impact_speed"] ** 2 - grains["vz_before"].iloc[count:] ** 2
     assert fallen.to_numpy() == pytest.approx(2 * 9.81 * 1e-3, rel=1e-6)
     surface = grains["z_before"].iloc[count:].min() - 2e-3

@@ -33,7 +33,7 @@ def copied(short_gas, tmp_path) -> Path:
 
 
 def test_checkpoint_beyond_the_log_is_not_the_newest(short_gas, cut_log):
-    """LIGGGHTS may have been writing it."""
+    """LIGGGHTS may still have been writing this checkpoint when it stopped."""
     stopped = cut_log(lines=8)
     steps = read_series(short_gas)["step"]
     # The last complete line of 25 is number 15; every other line has a checkpoint.
@@ -45,7 +45,7 @@ def test_checkpoint_beyond_the_log_is_not_the_newest(short_gas, cut_log):
 def test_incomplete_checkpoint_is_not_the_newest(short_gas, ranks, tmp_path):
     """A full disk cuts a checkpoint anywhere or fills it up with zeros, while the log continues.
 
-    There are no checksums, as after a kill. Zeros after a complete part are ranks without
+    There are no checksums, as after a kill. Zeros after a complete file mean ranks without
     particles.
     """
     folder = tmp_path / "full"
@@ -84,7 +84,7 @@ def test_missing_checkpoint_is_an_error(tmp_path):
 
 
 def test_other_files_are_ignored(copied):
-    """Their names contain no step; `force` does not remove them."""
+    """Files whose names contain no step are no checkpoints, and `force` does not remove them."""
     newest = newest_checkpoint(copied)
     for name in ("checkpoint.old.restart", "checkpoint.999999999.old.restart"):
         shutil.copy(newest, copied / name)
@@ -94,7 +94,7 @@ def test_other_files_are_ignored(copied):
 
 
 def test_checkpoint_beyond_a_damaged_log_is_named(copied, short_gas):
-    """The newest complete one, if the log is cut or missing."""
+    """If the log is cut or missing, the message names the newest complete checkpoint."""
     *earlier, before, last = checkpoints(copied)
     for file in earlier:
         file.unlink()
@@ -113,7 +113,8 @@ def test_checkpoint_beyond_a_damaged_log_is_named(copied, short_gas):
 
 @pytest.mark.parametrize("seed", range(12))
 def test_flipped_bit_is_noticed(copied, seed, tmp_path):
-    """Anywhere in the file: an earlier checkpoint is used; none, if all are damaged."""
+    """After a flipped bit in the newest checkpoint, an earlier one is used, or none if all are
+    damaged."""
     assert not list(copied.glob("*.new"))
     *earlier, newest = checkpoints(copied)
     assert newest_checkpoint(copied) == newest
@@ -154,7 +155,7 @@ def test_rewritten_checkpoint_gets_a_new_checksum(copied):
 
 
 def test_failure_to_write_a_checksum_gives_one_warning(copied):
-    """LIGGGHTS runs meanwhile."""
+    """LIGGGHTS continues, and the warning is not repeated."""
     for file in copied.glob("*.sha256"):
         file.unlink()
         (copied / f"{file.name}.new").mkdir()

@@ -42,7 +42,8 @@ def test_missing_dissipation_is_noticed(flowed, steady):
 
 
 def test_fewer_rows_widen_the_limit_of_the_weight(flowed):
-    """With every twelfth row, 0.06 s, trapezia miss 5e-3 of the work, which the limit allows."""
+    """With rows 0.06 s apart, the trapezoidal rule errs by 5e-3 of the work; the check allows
+    more."""
     sparse = read_series(flowed.folder).iloc[::12].reset_index(drop=True)
     weight = flowed.deck.analyse(sparse).checks[-2]
     assert "weight's work" in weight.name and weight.passed
@@ -68,9 +69,9 @@ def test_glued_base_stays(flowed):
 
 @pytest.mark.parametrize(("power", "fits"), [(1.5, True), (0.5, False), (3.0, False)])
 def test_profile_differs_from_others(power, fits):
-    """Grains at every height with speed h^p - (h - z)^p: only p = 3/2 is Bagnold's.
-
-    0.01: heights are taken in bins, and the depth from their mean.
+    """Grains at height z have the speed h^p - (h - z)^p; Bagnold's profile has p = 3/2. The
+    relative tolerance is 0.01, because the fit sorts heights into bins and takes the depth from
+    their mean.
     """
     height = np.linspace(0, 0.1, 4001)[1:]
     flow = pd.DataFrame({"z": height, "vx": 1 - (1 - height / 0.1) ** power + 1e-9})

@@ -39,10 +39,12 @@ def press(pressed, tmp_path):
 
 
 def test_loop(pressed):
-    """The density is the set one; most of the densification stays, some springs back."""
+    """The punch reaches the set density; most of the densification is permanent, a part springs
+    back."""
     assert pressed.passed  # the punch's work among the checks
     loop = loop_of(pressed)
-    assert loop.peak == pytest.approx(0.7, abs=2e-3)  # the highest pressure, a row off the turn
+    # The density changes by up to 2e-3 between two rows, one of which is next to the turn.
+    assert loop.peak == pytest.approx(0.7, abs=2e-3)
     assert loop.touch < loop.released < loop.peak
     assert loop.permanent > 0.05 and loop.spring_back > 0.05
     # A part of the work of the punch is recovered; the rest is plastic and friction work.
@@ -50,11 +52,13 @@ def test_loop(pressed):
     work = table["wallwork"]
     assert 0.5 * work.max() < work.iloc[-1] < 0.9 * work.max()
     dissipation = table["plastic"] + table["friction"]
-    assert dissipation.iloc[-1] == pytest.approx(work.iloc[-1], rel=0.01)  # 1 %: gravity, motion
+    # The remaining 1 % is work of gravity and kinetic energy.
+    assert dissipation.iloc[-1] == pytest.approx(work.iloc[-1], rel=0.01)
 
 
 def test_stronger_grains_spring_back_more(pressed, press):
-    """At the same density: higher pressure, more spring-back, less plastic work."""
+    """At the same density, stronger grains have more pressure and spring-back, and less plastic
+    work."""
     other = press(yield_strength=2e5)
     weak, strong = loop_of(pressed), loop_of(other)
     assert strong.pressure > 1.2 * weak.pressure
@@ -69,8 +73,8 @@ def test_stronger_grains_spring_back_more(pressed, press):
 def test_elastic_smooth_grains_recover(press):
     """Without yield and friction the loop closes, and the work of the punch is recovered.
 
-    5 % stays in undamped motion, which fails the check of slowness; with grains that yield, 75 %
-    stays.
+    Undamped motion keeps up to 5 % of the work and fails the check of slowness. Grains that yield
+    keep 75 % of the work.
     """
     run = press(yield_strength=1e18, coefficient_of_friction=0, release=0.6)
     assert any("kinetic / elastic energy" in check.name for check in run.analysis.failed)
@@ -81,7 +85,7 @@ def test_elastic_smooth_grains_recover(press):
 
 
 def test_wrong_force_is_noticed(pressed):
-    """An error of 1 % in the force gives one of 1 % in the work."""
+    """An error of 1 % in the force gives an error of 1 % in the work."""
     series = read_series(pressed.folder)
     series["force"] *= 1.01
     (check,) = pressed.deck.analyse(series).failed
@@ -101,7 +105,8 @@ def test_punch_that_stays_is_noticed(pressed):
 
 
 def test_punch_is_where_it_was_after_a_restart(pressed, tmp_path):
-    """Heights are bitwise identical. The mesh is there, too: the work equals force times travel.
+    """The heights are bitwise identical. The mesh is at these heights, too: its work equals force
+    times travel.
 
     The run continues from its last checkpoint but one, while the punch moves up.
     """
@@ -113,7 +118,8 @@ def test_punch_is_where_it_was_after_a_restart(pressed, tmp_path):
 def test_ranks(pressed, tmp_path):
     """Compaction of a poured bed on 2 ranks and 1 agrees to 1e-6 of the largest values.
 
-    Round-off grows to 1e-8 meanwhile. During pouring it grows until the grains lie differently.
+    Round-off grows to 1e-8 during compaction. The run starts from a poured bed, because round-off
+    that grows during pouring changes the positions of the grains.
     """
     poured = tmp_path / "poured"
     shutil.copytree(pressed.folder, poured)
@@ -139,7 +145,8 @@ def test_heckels_line():
 
 
 def test_loop_of_a_triangle():
-    """Lines from 0.5 to 0.7 and back to 0.6: touch and release are at 1 % of the peak."""
+    """The pressure rises linearly from density 0.5 to 0.7 and falls to zero at 0.6. Touch and
+    release are at 1 % of the peak pressure."""
     density = np.array([0.5, 0.5, 0.7, 0.6, 0.5])
     loop = measure_loop(density, [0.0, 0.0, 100.0, 0.0, 0.0])
     assert (loop.touch, loop.peak, loop.released) == pytest.approx((0.502, 0.7, 0.601))

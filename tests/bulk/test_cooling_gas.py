@@ -22,7 +22,7 @@ def gas(**changes) -> CoolingGas:
 
 
 def test_follows_mean_field(yielding_gas):
-    """Within 8 % for mean field and four standard deviations, while it cools by more than that."""
+    """The check allows 8 % for mean field and four standard deviations; the gas cools by more."""
     assert yielding_gas.passed
     series = yielding_gas.series
     assert series["temperature"].iloc[-1] < 0.4 * series["temperature"].iloc[0]
@@ -36,12 +36,13 @@ def test_viscoelastic_gas(tmp_path):
     run = run_bulk("cooling_gas", values, tmp_path / "run", show=False)
     temperature = run.series["temperature"]
     assert run.passed
-    assert temperature.iloc[0] == pytest.approx(16, rel=0.02)  # less what impacts store
+    # Grains in contact store up to 2 % of the kinetic energy as elastic energy.
+    assert temperature.iloc[0] == pytest.approx(16, rel=0.02)
     assert temperature.iloc[-1] < 0.8 * temperature.iloc[0]
 
 
 def test_lost_energy_is_plastic_work(yielding_gas):
-    """The difference is within the balance error that the checks allow."""
+    """The relative tolerance 2e-3 is the balance error that the checks allow."""
     first, last = yielding_gas.series.iloc[0], yielding_gas.series.iloc[-1]
     lost = first["kinetic"] + first["elastic"] - last["kinetic"] - last["elastic"]
     assert last["plastic"] - first["plastic"] == pytest.approx(lost, rel=2e-3)
@@ -51,9 +52,9 @@ def test_lost_energy_is_plastic_work(yielding_gas):
 def test_unyielding_gas_equals_stock_hertz(tmp_path):
     """With a huge yield strength, energy is conserved, and the gas moves as with stock hertz.
 
-    They agree to 1e-9 over the first impacts; an impact multiplies round-off by ten. Later they
-    differ in the energy stored in impacts, 0.4 %: 0.7 % is four standard deviations of the
-    difference between two means of 10 rows.
+    The runs agree to 1e-9 in the first impacts; each impact multiplies round-off by ten. Later, the
+    energy stored in impacts differs, with a standard deviation of 0.4 % of the total. The limit,
+    0.7 %, is four standard deviations of the difference between two means of 10 rows.
     """
     runs = {}
     for law in ("hertz", "vu_quoc_zhang"):
@@ -69,8 +70,8 @@ def test_unyielding_gas_equals_stock_hertz(tmp_path):
 
 
 def test_ranks_agree_in_the_course(tmp_path):
-    """After some impacts, the gases on 1 and 2 ranks are independent: the limit is four times
-    sqrt(2) times the error of one, and the energy stored in impacts."""
+    """After some impacts, the gases on 1 and 2 ranks are independent. The limit of their difference
+    is four times sqrt(2) times the error of one gas, plus the energy stored in impacts."""
     values = {"side": 5, "mixing": 0.1, "duration": 16, "rows": 32, "checkpoints": 1}
     runs = [
         run_bulk("cooling_gas", values, tmp_path / str(ranks), ranks, show=False)
@@ -95,7 +96,8 @@ def test_options_reach_the_theory():
 
 
 def test_duration_is_in_collision_times(yielding_gas):
-    """The collision rate in the deck is that of theory; the end is rounded to a row."""
+    """The deck uses the collision rate of theory. The tolerance 1e-3 covers the end, which is
+    rounded to a row."""
     deck, series = yielding_gas.deck, yielding_gas.series
     times = series["time"].iloc[-1] * float(deck.gas().collision_rate(deck.temperature))
     assert times == pytest.approx(deck.duration, rel=1e-3)

@@ -41,7 +41,7 @@ def test_missing_dissipation_is_noticed(turned):
 
 
 def test_fewer_rows_widen_the_limit_of_the_lever_arm(turned):
-    """With every 32nd row, trapezia miss 3e-3 of the work, more than half an overlap does."""
+    """With every 32nd row, the trapezoidal rule errs by 3e-3 of the work, more than LEVER_ARM."""
     sparse = read_series(turned.folder).iloc[::32].reset_index(drop=True)
     analysis = turned.deck.analyse(sparse)
     lever = analysis.checks[-1]
@@ -67,7 +67,7 @@ def begun(bulk_run) -> BulkRun:
 
 @pytest.fixture(scope="module")
 def rest(begun, tmp_path_factory) -> BulkRun:
-    """The end of it again, from its last checkpoint but one."""
+    """The run `begun`, continued from its last checkpoint but one."""
     folder = tmp_path_factory.mktemp("drum") / "rest"
     return run_bulk("drum", {}, folder, restart=begun.folder, show=False)
 
@@ -89,7 +89,7 @@ def test_impacts_before_a_checkpoint_are_counted_after_it(begun, rest):
 
 
 def test_shell_turns_on_after_a_restart(begun, rest):
-    """Its last frames are identical, and differ from the first one."""
+    """The last frames of both runs are identical, and differ from the first frame."""
     last = begun.series["step"].iloc[-1]
     frames = [
         (folder / "frames" / f"mesh_{step}.vtk").read_bytes()

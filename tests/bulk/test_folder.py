@@ -44,7 +44,8 @@ def test_folder_contains_deck_record_and_results(whole):
 
 
 def test_frames_up_to_the_checkpoint_are_copied(tmp_path):
-    """Only complete frames before its step; LIGGGHTS writes that of the step itself."""
+    """Complete frames before the checkpoint's step are copied; LIGGGHTS writes the next one
+    again."""
     box = "ITEM: BOX BOUNDS ff ff ff\n" + 3 * "0 1\n"
     frames = [
         f"ITEM: TIMESTEP\n{step}\nITEM: NUMBER OF ATOMS\n2\n{box}"

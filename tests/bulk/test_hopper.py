@@ -28,13 +28,14 @@ def test_discharge_follows_beverloo(discharged):
     discharge = discharged.deck.discharge(series)
     assert discharge.rate_error < 0.05 * discharge.rate
     assert series["counted"].iloc[-1] > 0.5 * series["atoms"].iloc[0]
-    # Spheres at rest: from loose with much friction to dense, some hundredths denser for softness.
+    # Packing of spheres at rest, from loose (high friction) to dense; soft grains overlap, which
+    # adds some hundredths.
     assert 0.54 < series["packing"].iloc[0] < 0.67
 
 
 def test_deleted_grains_leave_the_energy_balance(discharged):
-    """A grain takes the energy that it has at the orifice, at height zero: that of a free fall from
-    at most one orifice diameter above, as in Beverloo's law."""
+    """A deleted grain removes its energy at the orifice (height zero). It is at most that of a free
+    fall from one orifice diameter above, as in Beverloo's law."""
     series, deck = discharged.series, discharged.deck
     gone = series["atoms"].iloc[0] - series["atoms"].iloc[-1]
     assert gone > 100
@@ -56,8 +57,8 @@ def test_a_rate_that_falls_is_noticed(discharged):
 
 
 def test_unyielding_grains_equal_stock_hertz(tmp_path):
-    """With a huge yield strength, dashpots and friction, they agree with hertz and limitForce to
-    1e-9 over the first impacts, in which the dashpots already have an effect."""
+    """With a huge yield strength, dashpots and friction, `thornton` agrees with `hertz` and
+    limitForce to 1e-9 in the first impacts. The dashpots already have an effect in them."""
     damped = {"yield_strength": 1e18, "coefficient_of_restitution": 0.5, "ledger": "off"}
     few = {"orifice": 8, "layers": 2, "timestep": 2e-5, "filling": 0.02, "duration": 0.01}
     few |= {"rows": 4, "checkpoints": 1}
@@ -77,7 +78,7 @@ def test_unyielding_grains_equal_stock_hertz(tmp_path):
 
 
 def test_restart_without_friction_is_bitwise_identical(tmp_path, brief_run):
-    """Grains, mesh contacts and counter, from the last checkpoint but one."""
+    """Grains, mesh contacts and grain counter continue from the last checkpoint but one."""
     settings = {**brief_run("hopper").deck.briefs[""].settings, "tangential": "off"}
     whole = run_bulk("hopper", settings, tmp_path / "whole", show=False)
     rest = run_bulk("hopper", {}, tmp_path / "rest", restart=whole.folder, show=False)

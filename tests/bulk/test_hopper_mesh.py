@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The meshes of the hoppers are closed, have the stated sizes, and are smooth for LIGGGHTS."""
+"""The hopper meshes are closed, have the stated sizes, and are smooth surfaces for LIGGGHTS."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def test_facets_are_smooth_for_liggghts(size):
     every corner. Otherwise a yielding grain on such an edge creates energy."""
     deck = (PROJECT / "inputs" / "bulk" / "hopper" / "grains.in").read_text()
     curvature = float(re.search(r"hopper_\S+ .* curvature (\S+)", deck)[1])
-    assert curvature > 360 / make_hopper.SEGMENTS  # of the barrel; the cone's are smaller
+    assert curvature > 360 / make_hopper.SEGMENTS  # 360/SEGMENTS is the barrel's
     corners = make_hopper.triangles(size)
     for k in range(3):
         a, b = corners[:, k - 1] - corners[:, k], corners[:, k - 2] - corners[:, k]

@@ -18,13 +18,14 @@ def constant(e: float):
 
 
 def yielding(speed):
-    """Return e of a law with 1 - e^2 = (1 - 1/g^2)/2 above 1 m/s: its mean loss is exp(-1/4T)/2."""
+    """Return e of a law with 1 - e^2 = (1 - 1/g^2)/2 above 1 m/s: mean loss exp(-1/(4T))/2."""
     return np.sqrt(1 - 0.5 * (1 - 1 / np.maximum(speed, 1) ** 2))
 
 
 @pytest.mark.parametrize("e", [0.0, 0.5, 0.9])
 def test_constant_restitution_is_haffs_law(e):
-    """T0/(1 + t/tau)^2, tau = 6/((1 - e^2) omega0). 1e-5: a hundred times the ODE's tolerance."""
+    """T is T0/(1 + t/tau)^2 with tau = 6/((1 - e^2) omega0), within 1e-5 relative to T. This
+    tolerance is a hundred times that of the ODE solver."""
     gas, start = Gas(RADIUS, 0.2, constant(e), 1000), 3.0
     rate = float(gas.collision_rate(start))
     times = np.linspace(0, 300, 40) / rate
@@ -48,7 +49,8 @@ def test_elastic_gas_keeps_its_energy():
 
 @pytest.mark.parametrize("temperature", [10.0, 1.0, 0.1, 0.02])
 def test_loss_of_a_yielding_gas(temperature):
-    """Closed form exp(-1/4T)/2. 1e-5: the kink at yield between two nodes."""
+    """The loss is exp(-1/(4T))/2, within a relative error of 1e-5: the kink at the yield speed lies
+    between two quadrature nodes."""
     gas = Gas(RADIUS, 0.1, yielding, 1000)
     assert gas.loss(temperature) == pytest.approx(0.5 * exp(-1 / (4 * temperature)), rel=1e-5)
 
@@ -56,7 +58,8 @@ def test_loss_of_a_yielding_gas(temperature):
 def test_yielding_gas_stalls():
     """Impacts that dissipate are exponentially few: T falls with the logarithm of time.
 
-    x = 1/4T grows as x^(1/2) exp(-x), so x - ln(x)/2 grows as ln t; 2 %: the next term, 1/x.
+    x = 1/(4T) grows at a rate of x^(1/2) exp(-x), so x - ln(x)/2 grows as ln t. The tolerance, 2 %
+    of this growth, covers the next term, 1/x.
     """
     gas = Gas(RADIUS, 0.1, yielding, 1000)
     early, late = 1 / (4 * cool(gas, 10.0, [0.0, 1.0, 1e4])["temperature"].iloc[1:])
@@ -65,7 +68,8 @@ def test_yielding_gas_stalls():
 
 
 def test_collision_rate_in_the_dilute_limit():
-    """Mean speed sqrt(8 T/pi) over mean free path 1/(sqrt(2) pi d^2 n)."""
+    """The rate is the mean speed sqrt(8 T/pi), divided by the mean free path 1/(sqrt(2) pi d^2
+    n)."""
     phi, temperature = 1e-9, 2.0
     number_density = phi / (4 / 3 * pi * RADIUS**3)
     free_path = 1 / (2**0.5 * pi * (2 * RADIUS) ** 2 * number_density)
@@ -75,17 +79,18 @@ def test_collision_rate_in_the_dilute_limit():
 
 
 def test_contact_value_has_the_hard_spheres_virial_coefficients():
-    """1 + 5/2 phi + 4.59 phi^2: second and third virial coefficient of hard spheres (exact 4.5904;
-    Carnahan and Starling's rounded 4.5)."""
+    """The contact value is 1 + 2.5 phi + 4.5 phi^2. Carnahan and Starling round the coefficient
+    4.5904 of hard spheres to 4.5."""
     phi = 1e-3
     assert contact_value(phi) == pytest.approx(1 + 2.5 * phi + 4.5 * phi**2, abs=1e-8)
 
 
 def test_statistical_error_goes_with_the_number_of_grains():
-    """Four times the grains give half the error; at first it is that of a random walk of losses.
+    """Four times as many grains halve the error, which at first is that of a random walk of losses.
 
-    For e = 0 an impact of N grains takes m T l, l exponential with mean square 2, from 3/2 N m T:
-    after x impacts a grain, var = x/2N (2/3)^2 2.
+    For e = 0, an impact removes m T l of the energy 3/2 N m T. The mean square of l, which is
+    exponentially distributed, is 2. After x impacts per grain, N x/2 in total, the relative
+    variance is N x/2 · 2 (2/(3N))^2 = 4x/(9N).
     """
     times = np.linspace(0, 1, 5) * 1e-5
     errors = [
@@ -96,7 +101,7 @@ def test_statistical_error_goes_with_the_number_of_grains():
     gas = Gas(RADIUS, 0.1, constant(0.0), 1000)
     impacts = float(gas.collision_rate(3.0)) * times[1:]
     assert impacts.max() < 0.1
-    # 5 %: cooling has begun to forget the first losses.
+    # 5 %: cooling already reduces the effect of the first losses.
     assert errors[0] ** 2 == pytest.approx(impacts / 1000 * 4 / 9, rel=0.05)
 
 

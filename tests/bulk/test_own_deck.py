@@ -38,7 +38,8 @@ def write_plain(deck: Path, *replacements: tuple[str, str], head: str = "") -> N
 
 
 def test_plain_deck_runs_in_its_folder(plain, tmp_path, monkeypatch, capsys):
-    """Includes and meshes are found from any folder; time comes from the command `timestep`."""
+    """LIGGGHTS finds includes and meshes from any folder; time comes from the command
+    `timestep`."""
     monkeypatch.chdir(tmp_path)
     assert main(["bulk", str(plain)]) == 0
     assert "no checks were made: the deck has no energy balance" in capsys.readouterr().out
@@ -56,7 +57,7 @@ def test_plain_deck_runs_in_its_folder(plain, tmp_path, monkeypatch, capsys):
 
 
 def test_files_of_equal_names_are_all_copied(plain, tmp_path):
-    """They keep their subfolders; a file from elsewhere gets a number."""
+    """Included files keep their subfolders; a file from another folder gets a number."""
     folder, shared = plain.parent, tmp_path / "shared.in"
     shared.write_text("variable from_elsewhere index 7\n")
     parts = {
@@ -79,7 +80,7 @@ def test_files_of_equal_names_are_all_copied(plain, tmp_path):
 
 
 def test_meshes_are_copied_with_the_deck(plain, tmp_path):
-    """Also meshes that a setting names, but no meshes that the deck writes."""
+    """The copy has meshes that a setting names, but no meshes that the deck writes."""
     shutil.copy(plain.parent / "meshes" / "plate.stl", plain.parent / "written.stl")
     end = "run 500\ndump walls all mesh/stl 100 written.stl\nrun 0\n"
     mesh = ("meshes/plate.stl", "meshes/${mesh}.stl")
@@ -123,7 +124,7 @@ def test_any_path_is_a_deck(file, name, plain, monkeypatch):
 
 
 def test_supplied_name_selects_the_supplied_deck(tmp_path, monkeypatch):
-    """Also where a file of that name exists."""
+    """The supplied deck runs even if a file of that name exists."""
     monkeypatch.chdir(tmp_path)
     Path("hopper").write_text("units si\n")
     assert plan_bulk("hopper", {}, "run").deck_type.__name__ == "Hopper"
@@ -134,7 +135,7 @@ def test_supplied_name_selects_the_supplied_deck(tmp_path, monkeypatch):
 
 
 def test_stopped_run_leaves_no_file_beside_the_deck(plain, tmp_path, start_plastigran):
-    """The restart file of the signal moves to the results; that of another run stays."""
+    """The restart file that the signal causes moves to the results; that of another run stays."""
     write_plain(plain, ("run 500", "run 50000000"))
     (plain.parent / "restart_forced_liggghts_7.data").write_text("Left by another run.")
     files = set(plain.parent.iterdir())
@@ -159,7 +160,7 @@ def test_finished_run_takes_no_restart_file_of_another(plain, tmp_path):
 
 
 def test_readmes_deck_has_the_energies_of_the_readme(tmp_path):
-    """2 mJ of 33 mJ, because the paths of the balls are chaotic."""
+    """The tolerance is 2 mJ of 33 mJ, because the paths of the balls are chaotic."""
     readme = (PROJECT / "README.md").read_text()
     deck = tmp_path / "deck.in"
     text = re.search(r"^```\n(units si\n.*?)```", readme, re.DOTALL | re.MULTILINE)[1]
@@ -175,7 +176,7 @@ def test_readmes_deck_has_the_energies_of_the_readme(tmp_path):
 
 
 def test_plain_deck_cannot_continue(plain, tmp_path):
-    """Its own restart files do not matter, and the message states what the deck needs."""
+    """Restart files with other names do not help, and the message states what the deck needs."""
     write_plain(plain, ("run 1000", "restart 500 mine.*\nrun 1000"))
     run_bulk(plain, {}, tmp_path / "run", show=False)
     assert (plain.parent / "mine.500").exists()
@@ -188,7 +189,7 @@ def test_plain_deck_cannot_continue(plain, tmp_path):
 
 
 def test_deck_without_checkpoints_cannot_continue(plain, tmp_path):
-    """It has the settings, but no `restart` command for checkpoints."""
+    """The deck has the settings, but no `restart` command for checkpoints."""
     write_plain(plain, head=START)
     run_bulk(plain, {}, tmp_path / "run", show=False)
     message = r"no complete checkpoint .*: .*`restart` .* \$\{output\}/checkpoint\.\*\.restart"
@@ -228,7 +229,8 @@ def test_unknown_setting_is_refused(plain, tmp_path):
 
 
 def test_misspelt_law_is_refused(plain, tmp_path):
-    """In a setting or in the line itself; a model of LIGGGHTS or of the user is accepted."""
+    """The name is in a setting or in the model line. Models of LIGGGHTS or of the user are
+    accepted."""
     template = write_deck(tmp_path / "falling", "thornton", "steel")
     message = r"{}\.in: no contact model '{}'. Possible misspelling of {}"
     with pytest.raises(ValueError, match=message.format("falling", "universl", "universal")):
@@ -248,7 +250,8 @@ def test_misspelt_law_is_refused(plain, tmp_path):
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_overlapping_spheres_pass_the_checks(ranks, tmp_path):
-    """They overlap beyond yield at the start and move by it; plastic work does not decrease."""
+    """The spheres overlap beyond yield at the start, so they move; plastic work does not
+    decrease."""
     deck = tmp_path / "overlap.in"
     deck.write_text(
         (PROJECT / "tests" / "ledger" / "decks" / "set_types.in")
@@ -263,7 +266,8 @@ def test_overlapping_spheres_pass_the_checks(ranks, tmp_path):
 
 
 def test_run_without_contacts_has_a_note(tmp_path):
-    """The energy balance has nothing to check; the grains of the template fall 60 mm first."""
+    """The energy balance has nothing to check while the grains of the template fall the first 60
+    mm."""
     deck = write_deck(tmp_path / "falling", "thornton", "steel")
     run = run_bulk(deck, {"duration": 0.002}, tmp_path / "run", show=False)
     assert any("Check whether grains touched" in note for note in run.notes)

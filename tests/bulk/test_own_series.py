@@ -103,9 +103,9 @@ def test_varying_time_step_gives_no_time(tmp_path):
 @pytest.mark.parametrize(
     ("log", "before", "times"),
     [
-        # a run of no steps takes no time
+        # A run of no steps takes no time.
         (table("Atoms", "0 1") + "timestep 1e-6\n" + table("Atoms", "0 1", "10 1"), "", [0, 1e-5]),
-        # a checkpoint between two lines of the earlier log
+        # The checkpoint lies between two lines of the earlier log.
         (
             "timestep 1e-6\n" + table("Atoms", "15 5", "25 5"),
             "step,time,atoms\n0,0,5\n10,1e-5,5\n",
@@ -116,7 +116,7 @@ def test_varying_time_step_gives_no_time(tmp_path):
             "step,time,atoms\n10,1,5\n",
             [1, 1 + 1e-5],
         ),
-        # one of the logs has no time
+        # One of the two logs has no time.
         ("timestep 1e-6\n" + table("Atoms", "10 5", "20 5"), "step,atoms\n10,5\n", None),
         (table("Atoms", "10 5", "20 5"), "step,time,atoms\n10,1,5\n", None),
     ],

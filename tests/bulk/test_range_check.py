@@ -74,7 +74,7 @@ def test_a_run_far_beyond_the_range_fails(tmp_path, capsys):
 
 
 def test_the_range_is_that_of_all_runs_and_simulations():
-    """Also of the runs that it continues."""
+    """The log also has the ranges of the runs that this run continues."""
     lines = "plastigran range universal contacts=1 furthest={}\n"
     text = (
         lines.format(30) + lines.format(1.2) + "plastigran range thornton contacts=2 furthest=3\n"
@@ -83,7 +83,8 @@ def test_the_range_is_that_of_all_runs_and_simulations():
 
 
 def test_contacts_that_go_deeper_in_a_later_run_count(tmp_path):
-    """The grain is compressed in one run or in two; 1e-9 is the precision of the log."""
+    """Compressing the grain in one run or in two gives the same excess to 1e-9, the log's
+    precision."""
     whole, split = (
         run_bulk(
             write(tmp_path, density=8000, velocity=-5, steps=steps), {}, tmp_path / name, show=False
@@ -104,7 +105,7 @@ def test_elastic_contacts_beyond_the_range_give_a_warning(tmp_path):
 
 
 def test_the_range_is_in_the_log_before_a_run_ends(tmp_path):
-    """A killed run needs it."""
+    """A killed run has only the lines before `Loop time`."""
     deck = write(tmp_path, density=8000, velocity=-1, steps=1500)
     log = (run_bulk(deck, {}, tmp_path / "run", show=False).folder / "log.liggghts").read_text()
     assert find_excess(log.split("Loop time")[0])["universal"] > 5

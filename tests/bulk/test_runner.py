@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`plastigran bulk`: it runs, stops, continues from checkpoints, and refuses wrong words."""
+"""`plastigran bulk` runs decks, stops, continues from checkpoints, and refuses wrong arguments."""
 
 from __future__ import annotations
 
@@ -86,7 +86,7 @@ def test_interrupt_stops_every_rank_and_keeps_the_files(start, ranks, sent, tmp_
 
 def test_run_continues_after_a_kill_of_liggghts(start, tmp_path):
     run = start(tmp_path / "run", ranks=2)
-    os.kill(max(engines(tmp_path / "run")), signal.SIGKILL)  # a rank: they start after mpirun
+    os.kill(max(engines(tmp_path / "run")), signal.SIGKILL)  # a rank; mpirun started first
     _, message = run.communicate(timeout=60)
     assert run.returncode == 1 and "cooling_gas.in" in message
     assert "LIGGGHTS was stopped by the signal SIGKILL" in message
@@ -185,7 +185,8 @@ def test_wrong_words_are_refused(line, message, tmp_path, capsys):
 
 
 def test_materials_are_found_from_the_current_folder(tmp_path, monkeypatch):
-    """LIGGGHTS runs elsewhere; it gets the absolute path, or a link if that has white space."""
+    """LIGGGHTS runs in another folder. It gets the absolute path, or a link if the path has white
+    space."""
     folder = tmp_path / "my metals"
     folder.mkdir()
     write_material(read_material("soft_granules"), folder / "mine.in", "As soft as they are.")
@@ -208,7 +209,7 @@ def test_continuing_in_the_same_folder_is_refused(short_gas):
 
 
 def test_progress_is_read_from_whole_lines_only(tmp_path):
-    """The second of two runs is `upto`; an incomplete line does not count."""
+    """The second of two runs ends with `upto`; an incomplete line does not count."""
     log, follower = tmp_path / "log", LogFollower(tmp_path / "log")
     assert follower.read().run == 0
     with open(log, "w") as file:

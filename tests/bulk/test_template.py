@@ -50,7 +50,7 @@ def test_default_template_stays_within_the_range_of_its_law(tmp_path):
 
 
 def test_falls_beyond_the_range_of_the_law_are_noted(tmp_path, capsys):
-    """The run of the default material, above, stays within the range."""
+    """The default material of the previous test stays within the range and gets no note."""
     assert main(["new-deck", str(tmp_path / "hard")]) == 0
     assert "note" not in capsys.readouterr().out
     assert main(["new-deck", str(tmp_path / "soft"), "--material", "soft_granules"]) == 0

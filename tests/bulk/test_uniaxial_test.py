@@ -58,7 +58,7 @@ def test_without_adhesion_there_is_no_strength(test_run, other):
 
 
 def test_consolidation_strengthens(test_run, other):
-    """At four times the stress, porosity falls and strength rises; seeds differ by less."""
+    """At four times the stress, porosity falls and strength rises by more than seeds differ."""
     weak, strong = strength_of(test_run), strength_of(other(consolidation_stress=2e4))
     assert strong.porosity < weak.porosity - 0.02
     assert strong.unconfined > 1.3 * weak.unconfined

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Settings of the decks: wrong ones are refused, and checks fail for other ones than those run."""
+"""Decks refuse wrong settings, and checks fail if the analysis has other settings than the run."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ def test_impossible_settings_are_refused(deck, change, message):
         ("drum", {"gravitational_acceleration": 9.9}, "work of the wall compared with the work"),
         ("chute", {"angle": 25.5}, "the weight's work from that of the center of mass"),
         ("chute", {"gravitational_acceleration": 9.9}, "the weight's work from that of the center"),
-        # near the edges of the band of Beverloo's law
+        # rates just outside the band of Beverloo's law
         ("hopper", {"orifice": "6"}, "discharge rate outside the band of Beverloo's law"),
         ("hopper", {"gravitational_acceleration": 3.5}, "discharge rate outside the band"),
         ("hopper", {"gravitational_acceleration": 16}, "discharge rate outside the band"),

@@ -40,7 +40,8 @@ def test_known_strength_is_kept():
 
 
 def test_hardness_gives_flow_stress_minus_hardening():
-    """The interval combines constraint factors of 2.6 to 3.0 (7 %) and the reading (3 %)."""
+    """The interval combines the errors of the constraint factor (2.6 to 3.0, 7 %) and the reading
+    (3 %)."""
     flow = 9.807e6 * 271 / 0.9272 / 2.8
     plain = calibrate(**STEEL, hardness=271)
     assert plain.yield_strength == pytest.approx(flow, rel=1e-12)
@@ -60,7 +61,7 @@ def test_strength_from_leeb_reproduces_the_reading(reading):
     least, largest = metal.yield_strength_interval
     for strength, factor in {metal.yield_strength: 1, least: 1 / 1.045, largest: 1.045}.items():
         body = attrs.evolve(metal.material, yield_strength=strength).body()
-        # The ends are 1.96 standard deviations in the logarithm: exp(0.045).
+        # The ends of the interval are at exp(0.045), which differs from 1.045 by 1e-3.
         assert tester.reading(metal.law, body) == pytest.approx(reading * factor, rel=1.5e-3)
     assert 1.96 * LEEB_SCATTER == pytest.approx(0.045)
 
@@ -72,7 +73,7 @@ def test_strength_from_drops_is_that_of_the_drops():
     ball = calibrate(**ALUMINIUM, drops=DropTest(speeds, restitution), law="thornton")
     assert ball.yield_strength == pytest.approx(1e8, rel=1e-5)  # accuracy of the search
     assert ball.yield_strength_interval[0] < 1e8 < ball.yield_strength_interval[1]
-    # A plate of the metal under a hard ball, whose radius does not matter.
+    # A hard ball drops on a plate of the metal; the radius of the ball does not matter.
     ruby = attrs.evolve(pg.material("steel"), youngs_modulus=4e11, yield_strength=1e30, name="ruby")
     drops = DropTest([0.1], [0.5], ball=ruby, plate=None)
     plate = calibrate(**ALUMINIUM, drops=drops, law="thornton").material
@@ -135,7 +136,7 @@ def test_expected_error_depends_on_hardening_and_contact_radius():
 
 
 def test_expected_error_is_unknown_for_other_pairs():
-    """The finite elements are of spheres on a rigid plane."""
+    """The finite-element results are for spheres on a rigid plane."""
     drops = DropTest([0.5, 2.0], [0.8, 0.6])
     assert calibrate(**STEEL, drops=drops).expected_error.restitution is not None
     on_glass = attrs.evolve(drops, plate=read_material("glass_kp10"))
@@ -207,7 +208,7 @@ def test_impacts_beyond_the_range_of_the_law_give_a_note():
 
 
 def test_strength_of_steel_is_for_a_strain_rate_of_one_per_second():
-    """It is smaller by 1 + C ln of the strain rate of the impact, (v/R)(E*/E')^2."""
+    """At the strain rate (v/R)(E*/E')^2 of the impact, the strength is larger by 1 + C ln(rate)."""
     fast = calibrate(**STEEL, leeb=540, rate_coefficient=0)
     slow = calibrate(**STEEL, leeb=540)
     body = slow.material.body()

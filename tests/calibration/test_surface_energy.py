@@ -35,7 +35,7 @@ def bodies_in_contact(law, gamma, b, radius_other):
 @pytest.mark.parametrize("bodies", BODIES)
 @pytest.mark.parametrize("gamma", [1e-3, 0.2])
 def test_the_sticking_speed_of_a_law_gives_its_surface_energy(law, bodies, gamma):
-    """1e-9: both searches end at 1e-12."""
+    """The relative tolerance is 1e-9, because both searches end at 1e-12."""
     contact = bodies_in_contact(law, gamma, **bodies)
     speed = sticking_speed(contact.law, contact.radius_eff, contact.mass_eff)
     found = calibrate_adhesion(POWDER, radius=RADIUS, sticking_speed=speed, law=law, **bodies)
@@ -46,7 +46,8 @@ def test_the_sticking_speed_of_a_law_gives_its_surface_energy(law, bodies, gamma
 @pytest.mark.parametrize("load", [0.0, 2e-6, 2e-5])
 @pytest.mark.parametrize("gamma", [1e-3, 0.2])
 def test_the_pull_off_force_after_a_load_gives_the_surface_energy(load, gamma):
-    """The measurement is the least force of a path, which 1e5 points resolve to 4e-7."""
+    """The measurement is the lowest force of a path, which 1e5 points resolve to 4e-7 of the
+    force."""
     contact = bodies_in_contact("thornton_ning_1998", gamma, **BODIES[0])
     state, law, top = contact.law.State(), contact.law, 1e-12
     while law.respond(contact.radius_eff, top).force < load:
@@ -64,7 +65,7 @@ def test_the_pull_off_force_after_a_load_gives_the_surface_energy(load, gamma):
 
 @pytest.mark.parametrize("bodies", BODIES)
 def test_jkr_has_closed_forms(bodies):
-    """F_c = 3/2 pi Gamma R*; the sticking speed goes as Gamma^(5/6)."""
+    """F_c = 3/2 pi Gamma R*; the sticking speed is proportional to Gamma^(5/6)."""
     radius_eff = 1 / (1 / RADIUS + 1 / (bodies["radius_other"] or 1e300))
     force = 1.5 * pi * 0.1 * radius_eff
     found = calibrate_adhesion(POWDER, radius=RADIUS, pull_off_force=force, **bodies)

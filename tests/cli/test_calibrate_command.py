@@ -76,7 +76,8 @@ def test_materials_of_ball_and_plate(capsys, drops):
         line = [*STEEL, "--drop", str(drops), "--law", "thornton", *bodies, "--json"]
         assert main(line) == 0
         found[" ".join(bodies)] = json.loads(capsys.readouterr().out)["yield_strength"]
-    # v_Y^2 goes as sigma^5/E*^4 over the mass: equal v/v_Y at a softer pair needs less strength.
+    # v_Y^2 is proportional to sigma_Y^5/(E*^4 m). A pair with smaller E* needs less strength for
+    # the same v/v_Y.
     assert found["--plate metal"] == pytest.approx(found[""] * 2**-0.8, rel=0.01)
     alumina = pg.material("alumina")
     steel_modulus, alumina_modulus = 206e9 / 0.91, alumina.youngs_modulus / (1 - 0.22**2)

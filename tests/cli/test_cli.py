@@ -155,7 +155,7 @@ def test_the_material_that_leaves_the_range_is_named(tmp_path, capsys):
 
 
 def test_a_material_file_outside_the_inputs(tmp_path):
-    """LIGGGHTS gets the constants of the file, not those of the material with the same name."""
+    """LIGGGHTS gets the constants of the file, not those of the package's material of this name."""
     steel = (inputs_folder() / "materials" / "steel.in").read_text()
     own = tmp_path / "steel.in"
     own.write_text(steel.replace("3.0e8", "3.0e9"))
@@ -169,7 +169,7 @@ def test_a_material_file_outside_the_inputs(tmp_path):
 
 @pytest.mark.parametrize("sent", [signal.SIGINT, signal.SIGTERM])
 def test_an_interrupt_while_the_command_loads(sent, monkeypatch, capsys):
-    # A shell's background jobs ignore SIGINT.
+    # Background jobs of a shell ignore SIGINT, so the test sets the default handler.
     before = {signal.SIGTERM: signal.getsignal(signal.SIGTERM)}
     before[signal.SIGINT] = signal.signal(signal.SIGINT, signal.default_int_handler)
     monkeypatch.setattr("plastigran.cli.main", lambda: signal.raise_signal(sent))

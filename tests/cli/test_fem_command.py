@@ -44,7 +44,8 @@ def test_press_below_yield_says_so_and_gives_everything_back(capsys):
     printed = capsys.readouterr()
     assert "is below the yield force" in printed.err
     (unloading,) = json.loads(printed.out)["unloadings"]
-    # Quadrature over steps of 40 % below yield.
+    # The tolerance covers the quadrature of the work: below yield, a load step is 40 % of the
+    # force.
     assert unloading["coefficient_of_restitution"] == pytest.approx(1, abs=5e-3)
 
 
@@ -70,7 +71,8 @@ def test_vibrating_sphere_names_its_modes(capsys):
     modes = numbers["modes"]
     assert (modes["kind"][0], modes["degree"][0]) == ("spheroidal", 2)
     assert modes["measured"] == pytest.approx(modes["frequency"], rel=2e-3)
-    # Wider than a third of the radius, it lasts two periods only: vibration is left.
+    # The contact radius exceeds a third of the sphere's radius. The contact lasts only two periods
+    # of the fundamental mode, so the sphere keeps vibrating.
     assert 0.98 < numbers["coefficient_of_restitution"] < 0.995
 
 
@@ -111,7 +113,7 @@ def test_a_cylinder_strikes_a_body(capsys):
         main(["fem", "cylinder", *GLASS, "--elastic", *CYLINDER, "--speed", "0.1", "--json"]) == 0
     )
     numbers = json.loads(capsys.readouterr().out)
-    # Waves in the body, hundreds of times lighter than the cylinder, keep 1e-3 of the speed.
+    # Waves in the body, which is hundreds of times lighter, keep 1e-3 of the speed.
     assert numbers["coefficient_of_restitution"] == pytest.approx(1, abs=5e-3)
     assert len(numbers["history"]["force"]) > 100
 
@@ -126,8 +128,10 @@ def test_finite_strain_of_a_cylinder_needs_no_warning(capsys, coarse):
     line = ["fem", "cylinder", *GLASS, "--yield", "2.41e9", *CYLINDER, "--json"]
     assert main([*line, "--speed", "1", "--finite-strain"]) == 0
     printed = capsys.readouterr()
-    assert [line for line in printed.err.splitlines() if " so far" not in line] == []  # progress
-    # 0.100 um with the default settings; these elements are a third of the contact wide.
+    # Lines with "so far" are the progress of the computation.
+    assert [line for line in printed.err.splitlines() if " so far" not in line] == []
+    # The depth is 0.100 um with default settings; here, elements are as wide as a third of the
+    # contact.
     assert json.loads(printed.out)["residual_depth"] == pytest.approx(0.1e-6, rel=0.1)
 
 
@@ -165,7 +169,6 @@ def test_a_cylinder_that_cannot_strike_is_refused(given, said, capsys):
 
 
 def test_what_is_not_known_is_null(capsys):
-    """JSON has no word for what is not a number."""
     print_json({"history": {"mises": [1.0, math.nan]}, "residual_depth": math.nan, "name": "x"})
     assert json.loads(capsys.readouterr().out) == {
         "history": {"mises": [1.0, None]},

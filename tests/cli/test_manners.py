@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""All commands: help, JSON, dry runs, completion, one-line errors, progress."""
+"""Help, JSON, dry runs, completion, one-line errors and progress of all commands."""
 
 from __future__ import annotations
 
@@ -140,7 +140,7 @@ def test_dry_runs_print_commands_and_write_nothing(tmp_path, capsys):
 
 
 def test_a_limit_of_file_sizes_names_the_folder(tmp_path, capsys):
-    """The error of Python does not contain the file."""
+    """Python's own error message does not contain the file."""
     output = tmp_path / "out"
     line = ["impact", "--law", "thornton", "--theory", "--speed", "1", "--output", str(output)]
     limits = resource.getrlimit(resource.RLIMIT_FSIZE)
@@ -194,7 +194,7 @@ def test_bash_completes(capsys):
 
 
 def test_doctor_runs_an_impact(capsys):
-    """On one rank and on two. The machine of the tests has everything that runs need."""
+    """The doctor runs it on one rank and on two, on a machine that has everything."""
     assert main(["doctor", "--json"]) == 0
     found = {row["name"]: row for row in json.loads(capsys.readouterr().out)}
     assert {found[name]["state"] for name in ("engine", "plugin", "impact", "MPI")} == {"ok"}
@@ -232,7 +232,7 @@ def test_doctor_reports_a_missing_library(monkeypatch):
 
 @pytest.mark.engine
 def test_doctor_finds_a_plugin_of_another_version(monkeypatch):
-    monkeypatch.setattr(doctor, "TOLERANCE", 1e-9)  # the plugin then appears to have other laws
+    monkeypatch.setattr(doctor, "TOLERANCE", 1e-9)  # then the laws appear to differ
     found = {finding.name: finding for finding in doctor.examine()}
     assert found["impact"].state == "lacks"
     assert "by theory" in found["impact"].said

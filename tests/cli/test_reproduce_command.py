@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The command `reproduce`: what it refuses before anything is computed."""
+"""The command `reproduce` refuses wrong arguments before it computes anything."""
 
 from __future__ import annotations
 

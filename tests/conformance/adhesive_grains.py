@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Grains and a wall that attract, for the decks of adhesive laws."""
+"""Grains and a wall that attract each other, for tests of adhesive laws with adhesion.in."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ CONSTANTS = {
     "universal adhesion jkr": {"surface_energy": 0.1},
     "kogut_etsion adhesion jkr": {"surface_energy": 0.05},
 }
-SIDE = 1.16e-4  # of the mesh in the plane of the wall [m]; LIGGGHTS refuses meshes below 1e-4
+SIDE = 1.16e-4  # side of the mesh of the wall [m]; LIGGGHTS refuses meshes below 1e-4
 CORNERS = SIDE / 2 * np.array([[0, -1, -1], [0, 1, -1], [0, 1, 1], [0, -1, 1]])
 PLATE = CORNERS[[[0, 1, 2], [0, 2, 3]]]  # two triangles that meet along y = z
 BOX = "region box block -6e-5 6e-5 -6e-5 6e-5 -6e-5 6e-5 units box\ncreate_box 2 box\n"
@@ -61,7 +61,7 @@ def sphere(
     density: float = DENSITY,
     z: float = 0,
 ) -> str:
-    """A line that creates a sphere, and two that set it; `@` is its atom ID."""
+    """Return a line that creates a sphere, and two lines that set it; `@` is its atom ID."""
     return (
         f"create_atoms 1 single {x:.17g} {y:.17g} {z:.17g} units box\n"
         f"set atom @ diameter {2 * radius:.17g} density {density:.17g}\n"
@@ -73,14 +73,14 @@ def run(law: str, folder: Path, bodies: list[str], commands: str, ranks: int = 1
     """Run adhesion.in.
 
     Args:
-        law: The law of pairs and wall, and its option of adhesion.
-        folder: For the files of the deck and its output.
+        law: Law of pairs and wall, optionally followed by `adhesion jkr`.
+        folder: Folder for the files of the deck and its output.
         bodies: Lines of the spheres, with `@` for the atom ID.
         commands: Lines that run the simulation.
         ranks: Number of MPI ranks.
-        variables: Of the deck. `values` replaces the constants of the law, `restart` is a file to
-            read, `mesh` makes the wall of triangles, shape (n, 3, 3), and `motion` moves the mesh.
-    """
+        variables: Variables of the deck. Also `values`, constants that replace those of the law;
+        `restart`, a file to read; `mesh`, triangles of the wall, shape (n, 3, 3); and `motion`,
+        lines that move the mesh."""
     folder.mkdir(exist_ok=True)
     text = "".join(body.replace("@", str(k)) for k, body in enumerate(bodies, 1))
     constants = variables.pop("values", CONSTANTS.get(law, {}))

@@ -27,11 +27,7 @@ def jumps_of_first_loading(law_between):
     changes by at most 1e-4; the force of a cylinder changes by at most 3e-4, because its slope
     grows fivefold at yield. The search uses these small steps only where a step of 5e-4 changes the
     force unlike its neighbors. A jump changes the force by 2e-4 or more, and the slope of a smooth
-    force changes by 1e-5 from step to step. Seen over eight decades in steps of 5e-5: a smooth
-    force moves by twice that or less; a cylinder's, whose slope jumps up by 5 at yield for this
-    thickness, by six times. Such steps are taken only where a step of 5e-4 does not move the force
-    as its neighbors do: a jump to be found moves it by 2e-4 or more, and a smooth force changes its
-    slope by 1e-5 from step to step.
+    force changes by 1e-5 from step to step.
     """
 
     @cache

@@ -17,7 +17,7 @@ from plastigran.experiments.central import CentralImpact
 from plastigran.experiments.cylinder import CylinderImpact
 from plastigran.materials import RIGID, Material, read_material
 
-GEOMETRIES = ("pair", "plane", "mesh")  # of the decks
+GEOMETRIES = ("pair", "plane", "mesh")  # partners of the sphere in the decks
 DECKS = Path(__file__).parent / "decks"
 LENGTH = 1.0  # length of cylinders and thickness of bodies, as in the decks [m]
 
@@ -26,7 +26,7 @@ class Spheres:
     """Spheres of the aluminum of Zhang & Vu-Quoc for one law, by default of radius 0.1 m.
 
     Attributes:
-        hertzian: Whether bodies that do not yield follow LIGGGHTS' own hertz.
+        hertzian: Whether the elastic contact is that of LIGGGHTS' own hertz.
     """
 
     hertzian = True
@@ -100,10 +100,9 @@ class Cylinders(Spheres):
     def elastic_force(
         self, pair: laws.MaterialPair, radius_eff: float, overlap: np.ndarray
     ) -> np.ndarray:
-        """Of the line contact, its Lambert W from scipy."""
-        z = (
-            overlap * radius_eff * np.exp(0.3 / 0.7)
-        )  # 0.3/0.7 = nu/(1-nu); length and thickness are 1 m
+        """Return the force of the elastic line contact [N], with scipy's Lambert W."""
+        # nu/(1 - nu) = 0.3/0.7; length and thickness are 1 m.
+        z = overlap * radius_eff * np.exp(0.3 / 0.7)
         return np.pi * pair.youngs_modulus_eff * overlap / -lambertw(-z, -1).real
 
     def mass(self, radius: float = 0.1, density: float | None = None) -> float:
@@ -131,7 +130,7 @@ class Cylinders(Spheres):
 
 
 def scene(law_name: str, dissipative_constant: float = 3e-5) -> Spheres:
-    """The bodies a law is for; by default, viscous ones have the paper's sphere leave with 0.8 of
-    its speed."""
+    """Return the bodies for a law. By default, the rebound speed of a viscous sphere of radius 0.1
+    m is 0.8 times its impact speed."""
     kind = {"sphere": Spheres, "cylinder": Cylinders}[laws.LAWS[law_name].shape]
     return (MappedSpheres if law_name in NOT_HERTZIAN else kind)(law_name, dissipative_constant)

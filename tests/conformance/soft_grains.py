@@ -46,7 +46,7 @@ fix wetting  all property/global contactAngle peratomtype 30 40
 fix nearest  all property/global minSeparationDistanceRatio scalar 0.01
 fix farthest all property/global maxSeparationDistanceRatio scalar 1.1
 """
-#: An impact lasts about 300 of these steps.
+#: Gravity, time step and dump. An impact lasts about 300 steps.
 MOTION = """
 fix gravity all gravity 9.81 vector 0 0 -1
 timestep        1e-5
@@ -75,7 +75,7 @@ def execute(text: str, folder: Path, ranks: int = 1) -> pd.DataFrame:
 
 
 def fresh(text: str, folder: Path, ranks: int = 1) -> pd.DataFrame:
-    """Run commands in the box `BOX`; return as `execute`."""
+    """Run commands in the box `BOX`; return the motion as `execute` does."""
     return execute(BOX.format(grid="2 1" if ranks == 2 else "1 1") + text, folder, ranks)
 
 

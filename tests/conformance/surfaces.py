@@ -22,9 +22,8 @@ def bowl(rings: int, sectors: int, radius: float) -> np.ndarray:
     height = np.broadcast_to(-np.cos(polar)[:, None, None], (*flat.shape[:2], 1))
     triangles = _strips(radius * np.concatenate([flat, height], axis=2))
     sides = np.linalg.norm(triangles - np.roll(triangles, 1, axis=1), axis=2)
-    return triangles[
-        sides.min(axis=1) > 1e-9 * radius
-    ]  # at the pole, triangles have a side of length zero
+    # Omit the triangles at the pole that have a side of length zero.
+    return triangles[sides.min(axis=1) > 1e-9 * radius]
 
 
 def cone(facets: int, low: float, high: float) -> np.ndarray:
@@ -42,10 +41,10 @@ def folded_plate(
     """Return two squares: one in z = 0, and one beyond x = 0 that is turned upward.
 
     Args:
-        angle: Of the fold [degrees]; negative downward.
-        size: Of each square.
-        pieces: Each square is cut into so many strips along the edge.
-        near: And across, at these distances from the edge.
+        angle: Angle of the fold [degrees]; negative if the square turns downward.
+        size: Side of each square [m].
+        pieces: Number of pieces into which each square is cut along the edge.
+        near: Distances from the edge at which each square is cut parallel to the edge [m].
     """
     turn = np.radians(angle)
     sides = np.array([[-1.0, 0.0], [np.cos(turn), np.sin(turn)]])

@@ -41,12 +41,12 @@ def ten_impacts(law: str) -> tuple[list[str], float]:
 
 @pytest.mark.parametrize("law", CONSTANTS)
 def test_restitution_at_a_wall_is_that_of_the_law(law, tmp_path):
-    """Ten speeds below and above the sticking speed; for `jkr` also the closed form.
+    """The ten speeds are below and above the sticking speed; `jkr` also follows the closed form.
 
-    1e-3: error of the time integration at half the recommended time step.
+    The restitution has an error of up to 1e-3, because the time step is half the recommended one.
     """
     bodies, timestep = ten_impacts(law)
-    steps = int(5e-7 / timestep)  # the slowest rebound then is 1 % of the radius away
+    steps = int(5e-7 / timestep)  # the slowest grain then has left
     run(law, tmp_path, bodies, f"run {steps}", timestep=timestep, every=steps)
     end = table(tmp_path)
     end = end[end["step"] == steps].sort_values("id")
@@ -62,8 +62,8 @@ def test_restitution_at_a_wall_is_that_of_the_law(law, tmp_path):
 
 
 def touch_and_pull(law: str, folder: Path, bodies: list[str], **variables) -> pd.DataFrame:
-    """Press the first body against its partner to 0.004 R* in 40 steps; pull it away in 160
-    steps.
+    """Move the first body against its partner to an overlap of 0.004 R* in 40 steps, then away in
+    160 steps.
     """
     commands = variables.pop(
         "moves",
@@ -78,14 +78,14 @@ def touch_and_pull(law: str, folder: Path, bodies: list[str], **variables) -> pd
 
 @pytest.mark.parametrize("law", CONSTANTS)
 def test_pair_and_plane_follow_the_law(law, tmp_path):
-    """A grain is pressed against a plane, or against the common edge of two triangles, and
-    pulled off. Two grains of twice the radius follow the same path.
+    """A grain moves against a plane, or against the common edge of two triangles, and is pulled
+    off. Two grains of twice the radius follow the same path.
 
-    The force is that of the law at each step, to 1e-9 of the largest: positions are rounded to
-    1e-16 of 1e-5 m, which is 1e-13 of the overlap. The neighbor skin is just above the pull-off
-    distance.
+    At each step, the force differs from that of the law by at most 1e-9 of the largest force. The
+    coordinates, 1e-5 m, have a round-off of 1e-16, which is 1e-13 of the overlap. The neighbor skin
+    is just above the pull-off distance.
     """
-    step = 0.004 * RADIUS / 40  # by speed 1 m/s
+    step = 0.004 * RADIUS / 40  # [s], for a speed of 1 m/s
     for name, bodies, pair in (
         ("plane", [sphere(-RADIUS, 0, 0)], WALL),
         ("mesh", [sphere(-RADIUS, 0, 0)], WALL),
@@ -125,12 +125,11 @@ def test_pair_and_plane_follow_the_law(law, tmp_path):
 def test_a_stretched_contact_outlives_restarts_ranks_and_rebuilds(
     law, geometry, ranks, grid, tmp_path
 ):
-    """A contact is pressed, pulled and held.
+    """A contact is compressed, stretched and then kept in place. A restart file, `pre no` and more
+    ranks do not change its force.
 
-    A restart file, `pre no` and other numbers of ranks leave its force unchanged.
-
-    The neighbor lists are rebuilt and the atoms sorted in every run, which would forget a contact
-    that LIGGGHTS does not see.
+    Every run rebuilds the neighbor lists and sorts the atoms. Bodies without overlap have no
+    contact for LIGGGHTS, so it alone would lose the history.
     """
     depth, model = 0.002 * RADIUS, law_of(law, GRAINS if geometry == "pair" else WALL)
     radius_eff = RADIUS / 2 if geometry == "pair" else RADIUS
@@ -142,7 +141,7 @@ def test_a_stretched_contact_outlives_restarts_ranks_and_rebuilds(
         assert held_at < 0, "the bodies overlap"
     else:
         held_at = path[follow["force"].argmin()]
-    step = depth / 40  # by speed 1 m/s
+    step = depth / 40  # [s], for a speed of 1 m/s
     back = round((depth - held_at) / step * 2)
     bodies = [sphere(-RADIUS, 0, 0)]
     if geometry == "pair":
@@ -188,10 +187,9 @@ def test_a_stretched_contact_outlives_restarts_ranks_and_rebuilds(
     ("law", "mesh"), [(law, None) for law in CONSTANTS] + [(law, PLATE) for law in STRETCHED]
 )
 def test_the_energy_balance_closes_at_a_wall(law, mesh, tmp_path):
-    """Ten impacts below and above the sticking speed.
-
-    2e-3 of the energy: the force jumps where contacts form and break, so the integration error is
-    of first order in the time step.
+    """The ten impacts are below and above the sticking speed. The balance error is below 2e-3 of
+    the initial kinetic energy. It is of first order in the time step, because the force jumps where
+    contacts form and break.
     """
     bodies, timestep = ten_impacts(law)
     steps = int(60e-9 / timestep)
@@ -211,9 +209,9 @@ def test_the_energy_balance_closes_at_a_wall(law, mesh, tmp_path):
 @pytest.mark.parametrize("tangential", ["history", "partial_slip", "incremental"])
 @pytest.mark.parametrize("law", STRETCHED)
 def test_the_energy_balance_closes_for_pairs(law, tangential, damping, ranks, tmp_path):
-    """Oblique impacts of grains, with friction; the pairs lie on the border of two ranks.
-
-    2e-3 as for walls. The friction work is small, but larger than the balance error.
+    """Grains collide obliquely, with friction, on the border of two ranks. The balance error is
+    below 2e-3 of the initial kinetic energy, as for walls. The friction work is small, but larger
+    than this error.
     """
     bodies = []
     for k, speed in enumerate((0.5, 2.0)):

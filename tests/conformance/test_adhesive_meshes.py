@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Contacts with meshes that adhesion stretches: folds, edges, corners and moving plates."""
+"""Adhesive contacts without overlap at meshes: folds, edges, corners and moving plates."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ from adhesive_grains import (
     table,
 )
 
-STEP = 1e-4 * RADIUS  # of a motion at 1 m/s [s]
+STEP = 1e-4 * RADIUS  # time step of a motion at 1 m/s [s]
 DEPTH = 0.002 * RADIUS
 
 
 def held_gap(law: str) -> float:
-    """Return 0.7 times the gap at which a contact breaks that was pressed to `DEPTH` [m]."""
+    """Return 0.7 times the gap at which a contact breaks after an overlap of `DEPTH` [m]."""
     model = law_of(law)
     path = np.linspace(DEPTH, -model.pull_off_distance(RADIUS), 10001)
     contact_radius = model.follow(RADIUS, path, model.State())["contact_radius"]
@@ -34,7 +34,7 @@ def held_gap(law: str) -> float:
 
 
 def leg(displacement: tuple[float, float, float], steps: int = 50) -> str:
-    """Return lines that move grain 1."""
+    """Return lines that move grain 1 by a displacement [m]."""
     velocity = " ".join(f"{part / (steps * STEP):.17g}" for part in displacement)
     return f"fix leg mover move linear {velocity} units box\nrun {steps}\nunfix leg\n"
 
@@ -62,7 +62,7 @@ def forces(folder: Path) -> np.ndarray:
 
 
 def fold(angle: float) -> np.ndarray:
-    """Return a plate in x = 0 that turns towards the grains behind the edge y = 0."""
+    """Return a plate in x = 0 that is bent towards the grains for y > 0 [degrees]."""
     turn, half = np.radians(angle), SIDE / 2
     rows = [(0, -half), (0, 0), (-half * np.sin(turn), half * np.cos(turn))]
     low, high = ([(x, y, z) for x, y in rows] for z in (-half, half))
@@ -85,7 +85,8 @@ def block() -> np.ndarray:
 def constant_force(law: str, folder: Path, mesh: np.ndarray, start: tuple, moves: str) -> None:
     """Check that a stretched contact keeps its force during motions along the surface.
 
-    1e-4, because corners in a mesh file have 7 digits, and LIGGGHTS extends triangles by 1e-8 m.
+    The relative tolerance is 1e-4. Corners in a mesh file have 7 digits, and LIGGGHTS extends
+    triangles by 1e-8 m.
     """
     gap = held_gap(law)
     bodies = [sphere(-RADIUS, start[0], 0, z=start[1])]
@@ -109,8 +110,8 @@ def test_a_stretched_contact_moves_over_a_fold(law, angle, tmp_path):
 
 @pytest.mark.parametrize("law", STRETCHED)
 def test_a_stretched_contact_moves_over_a_corner(law, tmp_path):
-    """The grain moves from one face over the common corner of three faces to their middle
-    direction.
+    """The grain moves from one face to the common corner of three faces, and turns there until it
+    is equally far from all three.
     """
     travel = 0.4 * RADIUS
     moves = leg((0, travel, travel)) + turned((0, 1, -1), 54)
@@ -118,7 +119,7 @@ def test_a_stretched_contact_moves_over_a_corner(law, tmp_path):
 
 
 LAW = "thornton_ning_1998"  # its force depends on the history
-HALF = 6e-5  # of the box
+HALF = 6e-5  # half the side of the box [m]
 GEOMETRIES = {
     "pair": ([sphere(-3e-6 - 2 * RADIUS, 0, 0), sphere(-3e-6, 0, 0)], {}),
     "plane": ([sphere(-RADIUS, 0, 0)], {}),
@@ -175,9 +176,8 @@ def test_a_stretched_grain_can_be_deleted(geometry, tmp_path):
 @pytest.mark.parametrize("ranks", [1, 2])
 @pytest.mark.parametrize("geometry", AT_THE_SIDE)
 def test_a_stretched_contact_crosses_a_periodic_side(geometry, ranks, tmp_path):
-    """A restart file is written before the grain crosses the side.
-
-    The force is the same to round-off.
+    """A restart file is written before the grain crosses the side. The force does not change beyond
+    round-off.
     """
     bodies, variables = AT_THE_SIDE[geometry]
     axis = "x" if geometry == "pair" else "y"
@@ -218,10 +218,9 @@ def strips(count: int) -> np.ndarray:
 @pytest.mark.parametrize("law", STRETCHED)
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_a_grain_that_sticks_to_triangles_moves_as_on_a_plane(law, ranks, tmp_path):
-    """An oblique impact below the sticking speed, with friction, across edges and a border of
-    ranks.
-
-    1e-9 of the largest value, for sums in another order.
+    """The impact is oblique, with friction and below the sticking speed; the grain crosses edges
+    and a border of ranks. Each column agrees to 1e-9 of its largest value, because sums have
+    another order.
     """
     bodies = [sphere(-RADIUS - 1e-9, -8e-7, 0.3) + "set atom 1 vy 12\n"]
     timestep = 0.5 * float(law_of(law).recommended_timestep(RADIUS, MASS, 0.3))
@@ -262,9 +261,9 @@ def test_a_plate_pulls_on_a_grain(law, tmp_path):
 def test_a_moving_plate_takes_light_grains_along(tmp_path):
     """The plate starts at the speed at which a grain of 1350 kg/m^3 just separates from it.
 
-    In the frame of the plate, grains of 0.8 and 1.25 times this density have too little and too
-    much energy to break the contact. 1e-3 of the speed, 2e-3 of the energy: the force jumps where
-    the contact breaks.
+    In the frame of the plate, a grain with 0.8 times this density has too little energy to break
+    the contact; one with 1.25 times has enough. The tolerances are 1e-3 of the speed and 2e-3 of
+    the energy, because the force jumps where the contact breaks.
     """
     law = law_of("jkr")
     overlap = np.linspace(-law.pull_off_distance(RADIUS), 1e-8, 100_001)
@@ -293,11 +292,9 @@ def test_a_moving_plate_takes_light_grains_along(tmp_path):
 
 
 def test_a_box_of_triangles_is_a_box_of_planes(tmp_path):
-    """Grains hit faces, edges and corners of a box from inside, below and above the sticking
-    speed.
-
-    On two ranks, the triangles give the forces of six primitive planes. 1e-6 of the largest value:
-    sums in another order differ by round-off, which grows at each impact.
+    """Grains hit faces, edges and corners of a box from inside, below and above the sticking speed.
+    On two ranks, the triangles give the forces of six primitive planes. Each column agrees to 1e-6
+    of its largest value: round-off of sums in another order grows at each impact.
     """
     wall, random = 5.2e-5, np.random.default_rng(3)
     bodies = []

@@ -1,7 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Laws together with LIGGGHTS' models for cohesion, rolling and tangential friction, and
-surfaces.
-"""
+"""Laws combined with LIGGGHTS' models of cohesion, rolling and tangential friction, and surface."""
 
 from __future__ import annotations
 
@@ -24,8 +22,8 @@ from soft_grains import (
 from plastigran.engine.log import read_thermo
 from plastigran.engine.process import EngineError
 
-#: Each contact lasts some 300 steps: two grains meet obliquely and spinning on the border between
-#: ranks, one hits the floor, one the plate, one lies on another.
+#: Each contact lasts some 300 steps. Two spinning grains collide obliquely on the border between
+#: ranks. One grain hits the floor, one hits the plate, and one lies on another.
 GRAINS = """
 create_atoms    1 single -0.0102 0.001 0.03
 create_atoms    1 single 0.0102 -0.001 0.03
@@ -87,11 +85,11 @@ include ${inputs}/energy_ledger.in
 
 @frozen
 class Contact:
-    """Models and options beside the normal model.
+    """Models and options of a line in addition to the normal model.
 
     Attributes:
-        models: Words after it.
-        at_walls: The same on walls, if other.
+        models: Words after the normal model.
+        at_walls: Words after the normal model on wall lines, if they differ.
         options: Words at the end of the line.
         more: Commands after the walls.
     """
@@ -165,10 +163,9 @@ def start(commands: str, folder: Path, ranks: int = 1, after: str = f"run {STEPS
 
 @host_contact
 def test_an_unyielding_law_is_the_engines_hertz(contact, tmp_path):
-    """Without yield, a law and LIGGGHTS' hertz give the same motion with the same other models.
-
-    1e-9: the laws agree to round-off, 1e-16 of a position and 1e-13 of an overlap, which a few
-    impacts multiply.
+    """Without yield, a law and LIGGGHTS' hertz give the same motion if the other models are the
+    same. They agree to 1e-9 of the largest value. The round-off, 1e-16 of a position and 1e-13 of
+    an overlap, grows during a few impacts.
     """
     ours = start(deck(contact, strength=NO_YIELD), tmp_path / "ours")
     stock = start(deck(contact, "hertz"), tmp_path / "stock")
@@ -179,9 +176,8 @@ def test_an_unyielding_law_is_the_engines_hertz(contact, tmp_path):
 
 @every_contact
 def test_two_ranks_are_one(contact, tmp_path):
-    """The law yields, and the contact of grains 1 and 2 lies on the border.
-
-    1e-9: round-off grows during impacts.
+    """The grains yield, and the contact of grains 1 and 2 lies on the border of the ranks. The
+    motion agrees to 1e-9 of its largest value, because round-off grows during impacts.
     """
     one, two = (start(deck(contact), tmp_path / str(ranks), ranks) for ranks in (1, 2))
     assert_alike(one, two, 1e-9)
@@ -224,7 +220,8 @@ communicate     single vel yes
     ],
 )
 def test_contacts_remember_when_grains_come(name, ranks, tmp_path):
-    """A distant grain that is created between two runs changes nothing, bit for bit.
+    """The motion is bitwise identical with and without a distant grain that is created between two
+    runs.
 
     On two ranks, LIGGGHTS' hertz itself loses liquid, and it crashes with multicontact.
     """
@@ -241,9 +238,8 @@ def test_contacts_remember_when_grains_come(name, ranks, tmp_path):
 
 @pytest.mark.parametrize("name", ["sjkr", "sjkr2", "sjkr alone", "sjkr and epsd", *SLIPPING])
 def test_the_ledger_closes(name, tmp_path):
-    """The work of cohesion during approach counts as negative elastic energy.
-
-    3e-4 of the kinetic energy: error of the time integration.
+    """The work of cohesion during approach counts as negative elastic energy. The balance error is
+    below 3e-4 of the largest kinetic energy, an error of the time integration.
     """
     start(deck(ALL[name], ledger=True), tmp_path)
     table = read_thermo(tmp_path / "log.liggghts")
@@ -278,10 +274,8 @@ def test_what_is_not_counted_is_refused(name, said, tmp_path):
     ],
 )
 def test_ludings_friction_is_that_of_no_adhesion(luding, same, tmp_path):
-    """With ratios of one and without adhesion, Luding's friction equals LIGGGHTS' other model,
-    bit for bit.
-
-    1e-12: stiffness is multiplied by one in another order.
+    """With ratios of one and without adhesion, Luding's friction equals LIGGGHTS' other model. They
+    agree to 1e-12 of the largest value, because the order of multiplications differs.
     """
     theirs = start(deck(LUDING[luding], damping="0 0 0 0"), tmp_path / "luding")
     other = start(deck(same), tmp_path / "same")

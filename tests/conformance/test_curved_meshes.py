@@ -2,7 +2,7 @@
 """A sphere has one contact with a smooth surface of triangles, whose history moves across
 edges.
 
-Corners in a mesh file have seven digits: some 1e-8 m here, 1e-4 of an overlap.
+Corners in a mesh file have seven digits. The round-off is some 1e-8 m here, 1e-4 of an overlap.
 """
 
 from __future__ import annotations
@@ -24,8 +24,8 @@ DECKS = Path(__file__).parent / "decks"
 LINE = "fix wall all wall/gran model ${law} tangential ${tangential} rolling_friction ${rolling} "
 CYLINDER = LINE + "primitive type 2 ycylinder 0.3 0 0 energy_ledger on"
 RADIUS = 0.1
-# A soft sphere thrown along the bottom of a pipe three times as wide: its contact is 2.7 degrees
-# wide, seen from the pipe's axis.
+# A soft sphere moves along the bottom of a pipe that is three times as wide. Seen from the axis of
+# the pipe, its contact covers 2.7 degrees.
 ROLLING = {"z": 1e-9 - 0.2, "vx": 5, "youngs_modulus": 7e9, "yield_strength": 2e7}
 
 
@@ -89,10 +89,10 @@ def in_a_pipe(folder: Path, facets: int, options: str = "", **variables) -> Outc
 
 @pytest.mark.parametrize("tangential", ["off", "history"])
 def test_a_fine_pipe_is_a_cylinder(tangential, tmp_path):
-    """Each facet covers half a degree, so the sphere overlaps up to five facets at once.
-
-    1e-3 of the energy at the start: the pipe's corners stand 1e-5 of its radius, a thousandth of
-    the overlap's square root, outside the cylinder. Drift: a facet's force turns between two steps.
+    """Each facet covers half a degree, so the sphere overlaps up to five facets at once. Energies
+    agree to 1e-3 of the initial kinetic energy, because the corners of the pipe lie 1e-5 of its
+    radius outside the cylinder. The balance error arises because the force on a facet turns between
+    two steps.
     """
     pipe = in_a_pipe(tmp_path / "pipe", 720, tangential=tangential)
     cylinder = rolled(tmp_path / "cylinder", CYLINDER, tangential=tangential)
@@ -126,7 +126,7 @@ PRESSED, HELD = 2e-4, 1.9e-4  # overlaps [m]
 
 
 def pressed_and_held() -> list[str]:
-    """Return the lines that press the sphere until it has yielded, and release it a little."""
+    """Return the lines that compress the sphere until it has yielded, and unload it a little."""
     return [
         moved((0, 0, -PRESSED / (100 * TIMESTEP))),
         moved((0, 0, (PRESSED - HELD) / (100 * TIMESTEP))),
@@ -138,9 +138,9 @@ def over_a_fold(angle: float) -> tuple[float, str]:
     nearer side.
 
     Returns:
-        Where it starts along x [m], and the lines of its motion: 100 steps each of pressing,
-        letting go, going to the fold, turning about it if it bends away, and going on.
-    """
+        Start of the sphere along x [m], and the lines of its motion. Each part has 100 steps:
+        loading, unloading, motion to the fold, rotation about a fold that bends away, and motion
+        behind the fold."""
     turn, pace = np.radians(angle), 0.02 / (100 * TIMESTEP)
     at_fold = -(RADIUS - HELD) * np.tan(max(0, turn) / 2)
     motions = [*pressed_and_held(), moved((pace, 0, 0))]
@@ -166,8 +166,8 @@ def test_a_dent_is_remembered_over_a_fold(angle, tmp_path):
     """The history survives folds towards the sphere up to the feature angle of 30 degrees, and
     all folds away from it.
 
-    LIGGGHTS' own contacts make it 3.3 times the force on the fold and 2.3 times behind it, and
-    nothing over an edge that bends away by 0.2 degrees.
+    With LIGGGHTS' own contacts, the force is 3.3 times as large on the fold and 2.3 times behind
+    it. Over an edge that bends away by 0.2 degrees, it is zero.
     """
     size = np.linalg.norm(folded(tmp_path, angle), axis=1)
     assert size[100] > 2 * size[200] > 0
@@ -175,8 +175,8 @@ def test_a_dent_is_remembered_over_a_fold(angle, tmp_path):
 
 
 def test_a_spring_turns_with_the_surface(tmp_path):
-    """A tangential spring that does not slip is stretched along and across the fold, and turns
-    with the surface. 2e-3: round-off of the overlap relative to the overlap.
+    """A tangential spring that does not slip is stretched along and across the fold, and turns with
+    the surface. Forces agree to 2e-3, because mesh corners with 7 digits change the overlap.
     """
     angle, x = 20, over_a_fold(20)[0]
     turn, pace = np.radians(angle), 0.02 / (100 * TIMESTEP)
@@ -244,8 +244,8 @@ def test_a_groove_of_small_triangles_keeps_both_contacts(angle, overlap, tmp_pat
 
 
 def test_two_triangles_with_one_between_out_of_reach_are_one_surface(tmp_path):
-    """On a shallow fold, the two touched triangles share only a node, and the narrow triangle
-    between them is not overlapped.
+    """On a shallow fold, the sphere touches two triangles that share only a node. It does not touch
+    the narrow triangle between them.
     """
     depth = RADIUS - 1e-4
     alone = pressed_on(tmp_path / "plate", surfaces.folded_plate(0, 0.3), (-0.05, 0.03, depth))
@@ -303,7 +303,7 @@ def test_a_ball_that_leans_on_all_sides_is_named(tmp_path):
     """In a cone, one contact cannot hold the sphere, and the run warns.
 
     With a contact per facet, as the warning recommends, the sphere comes to rest without a warning.
-    1e-3 of the initial energy.
+    The balance error is below 1e-3 of the released potential energy.
     """
     wall, moving = mesh(tmp_path, surfaces.cone(36, 0.02, 0.3)), {}
     said = "of one smooth surface, in directions"
@@ -319,7 +319,7 @@ def test_a_ball_that_leans_on_all_sides_is_named(tmp_path):
     assert moving["each"] < 1e-3 < moving["one"]
 
 
-# Thrown along the bottom of a bowl, a little aslant.
+# A sphere moves along the bottom of a bowl, slightly to one side.
 THROWN = {"x": -0.03, "z": -0.1975, "vx": 4, "vy": 0.5, "vz": -0.7, "g": 9.81, "timestep": 2e-5}
 SOFT = {"youngs_modulus": 7e8, "yield_strength": 1e7}
 
@@ -334,7 +334,8 @@ def in_a_bowl(folder: Path, motion: str, ranks: int = 1, **variables) -> Outcome
 def test_a_bowl_is_the_same_on_all_ranks_and_after_a_restart(ranks, grid, rolling, tmp_path):
     """The sphere yields and rolls where borders between ranks meet.
 
-    The restart file is written during contact. 1e-9: forces are summed in another order.
+    The restart file is written during contact. The last position and spin agree to 1e-9 of their
+    largest value, because other ranks sum forces in another order.
     """
     motion = let_go(300) + f"\nwrite_restart {tmp_path}/middle.restart\nrun 500"
     alone = in_a_bowl(tmp_path / "alone", motion, rolling=rolling)

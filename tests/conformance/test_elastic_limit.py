@@ -13,9 +13,8 @@ from plastigran import laws
 
 
 def elastic(law_name: str, pair: laws.MaterialPair, overlap: np.ndarray) -> dict[str, np.ndarray]:
-    """Return the elastic contact:
-
-    Hertz for spheres, the mapped sphere for `mdr`, Lambert's W for a line contact.
+    """Return the quantities of the elastic contact of a law. It is Hertz' contact for spheres, the
+    mapped sphere for `mdr`, and a line contact with Lambert's W for cylinders.
     """
     if law_name in NOT_HERTZIAN:
         return mapped_sphere(pair, RADIUS, overlap)
@@ -46,9 +45,8 @@ def test_elastic_impact_returns_everything(law_name, law_between, pair):
 
 
 def test_unyielding_bodies_are_elastic(law_name, law_between):
-    """With a very high yield strength, hard impacts are elastic to round-off.
-
-    4e-14 of cylinders: their elastic line contact is a table, and tables are fitted to 3e-14.
+    """With a very high yield strength, hard impacts are elastic to round-off. For cylinders, the
+    relative tolerance is 4e-14: their line contact is a table, which is fitted to 3e-14.
     """
     strong = laws.combine(laws.Body(7e10, 0.3, 1e20), laws.Body(7e10, 0.3, 1e20))
     law = law_between(law_name, strong)

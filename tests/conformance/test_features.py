@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Features of LIGGGHTS work with a law as with LIGGGHTS' own normal model: moving and wearing
-meshes, insertion, heat, and bodies of several spheres.
+"""Features of LIGGGHTS work with a law as with LIGGGHTS' own normal model. The features are moving
+and wearing meshes, insertion, heat, and bodies of several spheres.
 """
 
 from __future__ import annotations
@@ -53,12 +53,11 @@ class Feature:
         grains: Commands that make grains, if any.
         commands: Commands after the pair style, with the law's name.
         integrate: The fix that moves the grains, if any.
-        more: Values of each grain to compare beside its motion.
+        more: Values of each grain to compare in addition to its motion.
         thermo: Values of the log to compare.
-        steps: Of the run.
-        differs: Whether LIGGGHTS' own models differ on two ranks: each draws its own grains, or
-            knows the other's radii of some steps ago.
-    """
+        steps: Number of steps of the run.
+        differs: Whether LIGGGHTS' own models differ on two ranks. Each rank then draws its own
+        random grains, or uses radii of the other rank that are some steps old."""
 
     commands: str
     grains: str = TWO
@@ -197,9 +196,8 @@ def follow(
 
 
 def assert_hertzian(feature: Feature, folder: Path, ranks: int = 1) -> None:
-    """Check that a law without yield agrees with LIGGGHTS' hertz in motion and log.
-
-    1e-9: round-off grows during impacts.
+    """Check that a law without yield agrees with LIGGGHTS' hertz in motion and log. They agree to
+    1e-9 of the largest value of each column, because round-off grows during impacts.
     """
     ours, log = follow(feature, folder / "ours", ranks=ranks, strength=NO_YIELD)
     stock, their_log = follow(feature, folder / "stock", "hertz", ranks)

@@ -25,7 +25,8 @@ def test_force_is_continuous_during_first_loading(law_name, jumps_of_first_loadi
     for (place, _, size), (declared_place, declared_size) in zip(found, seen, strict=True):
         assert place / overlap_y == pytest.approx(declared_place, rel=2e-3)
         assert size == pytest.approx(declared_size, abs=2e-4)
-    # Another pair has its jumps at other overlaps, perhaps beyond the search, but not more of them.
+    # Another pair has its jumps at other overlaps. Some may lie beyond the search, but none are
+    # added.
     assert len(jumps_of_first_loading(law_name, "polymer on steel")) <= len(declared)
 
 
@@ -41,18 +42,17 @@ def test_force_is_continuous_where_unloading_begins_and_ends(law_name, law_betwe
     force = law.follow(RADIUS, way_back, state)["force"]
     end = int((force == 0).argmax())
     assert end > 0 and (force[end:] == 0).all()
-    way_back = np.linspace(
-        way_back[0], way_back[end], 20_001
-    )  # smaller steps where the force is not zero
+    # Take smaller steps where the force is not zero.
+    way_back = np.linspace(way_back[0], way_back[end], 20_001)
     force = law.follow(RADIUS, way_back, state)["force"]
     assert np.abs(np.diff(force)).max() < 1e-3 * peak
 
 
 def test_energies_go_on_where_tables_end(law_name, law_between, pair):
-    """Around 2^14 overlaps at yield, where a law's tables end, what is stored and lost grows by the
-    force's work, panel by panel. No law has a kink there, across which the quadrature would fail
-    (the nearest are at 2^14.5). 1e-9: energies are differences of numbers some 100 times as large,
-    of which tables keep 3e-14."""
+    """The tables of a law end at 2^14 times the overlap at yield. Around it, elastic energy plus
+    plastic work grow by the work of the force in each panel. The quadrature needs a range without
+    kinks; the nearest kink is at 2^14.5. The relative tolerance is 1e-9, because these energies are
+    differences of numbers some 100 times as large, which tables keep to 3e-14."""
     overlap_y, _ = scales(law_name, pair)
     law = law_between(law_name, pair)
     edges = np.geomspace(2**13.5, 2**14.4, 101) * overlap_y

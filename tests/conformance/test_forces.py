@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Forces that the model of every law must compute in LIGGGHTS: unequal bodies, walls, bodies
-that do not yield, friction and rolling friction.
+"""Forces that the model of every law must compute in LIGGGHTS. The tests cover unequal bodies,
+walls, bodies that do not yield, friction and rolling friction.
 """
 
 from __future__ import annotations
@@ -19,15 +19,13 @@ from plastigran.engine.dumps import read_dump
 from plastigran.engine.process import run_deck
 from plastigran.experiments.collision import force_overlap_loop, measure
 
-# Dissipative constant [s], for as much restitution of spheres of 10 mm as the paper's have.
+# Dissipative constant [s] that gives spheres of 10 mm the restitution of the paper's spheres.
 SMALL = 3e-6
 
 
 def test_unequal_bodies_in_either_order(engine_law, tmp_path):
-    """Unequal radii and materials.
-
-    Exchanged atoms i and j give the same forces to round-off, and the softer body yields.
-    """
+    """The bodies have unequal radii and materials. Exchanged atoms i and j give the same
+    forces to round-off, and the softer body yields."""
     bodies = scene(engine_law, dissipative_constant=SMALL)
     loops, runs = [], []
     for swap in (0, 1):
@@ -36,7 +34,8 @@ def test_unequal_bodies_in_either_order(engine_law, tmp_path):
         loops.append(force_overlap_loop(table))
         runs.append(measure(table))
     assert len(loops[0]) == len(loops[1])
-    # Mirrored sums have another round-off: 1e-16 of a position, which is 1e-12 of the overlap.
+    # Mirrored sums have another round-off. It is 1e-16 of a position and thus 1e-12 of the overlap;
+    # it grows to at most 1e-8 of the largest force.
     scale = loops[0]["force"].max()
     assert loops[1]["force"].to_numpy() == pytest.approx(
         loops[0]["force"].to_numpy(), abs=1e-8 * scale
@@ -55,8 +54,8 @@ def test_unequal_bodies_in_either_order(engine_law, tmp_path):
         assert found.coefficient_of_restitution == pytest.approx(
             expected.coefficient_of_restitution, rel=1e-3
         )
-        # Where the force of a rate-dependent law vanishes depends on the speed there, too, which
-        # LIGGGHTS knows of half a step ago.
+        # With a rate-dependent law, the overlap of zero force depends on the speed. LIGGGHTS uses
+        # the speed of half a step earlier, so the tolerance is larger.
         tolerance = 2e-2 if law.rate_dependent else 2e-3
         assert found.overlap_res == pytest.approx(expected.overlap_res, rel=tolerance)
 
@@ -64,7 +63,8 @@ def test_unequal_bodies_in_either_order(engine_law, tmp_path):
 def test_wall_is_a_huge_sphere(engine_law, tmp_path):
     """A sphere on another sphere 3000 times as large behaves as on a wall of the same material.
 
-    R* and m* differ by 3e-4, restitution by less; 1e-3 adds the time step's share.
+    R* and m* differ by 3e-4, and restitution differs less. The relative tolerance 1e-3 also covers
+    the error of the time step.
     """
     bodies = scene(engine_law, dissipative_constant=SMALL)
     bodies.run("two_bodies_equal_material", tmp_path, ratio=3000)
@@ -95,7 +95,8 @@ def test_unyielding_model_is_elastic(engine_law, unyielding):
     """Spheres without yield and viscosity follow undamped stock hertz in every step of an
     oblique impact. Bodies with another elastic contact have its force.
 
-    1e-10 after 200 steps: the two write 4/3 E* sqrt(R* d) d in different orders.
+    After 200 steps, each column agrees to 1e-10 of its largest value. The two models compute 4/3 E*
+    sqrt(R* d) d in different orders.
     """
     for geometry in GEOMETRIES:
         ours = unyielding(engine_law, geometry)
@@ -111,9 +112,8 @@ def test_unyielding_model_is_elastic(engine_law, unyielding):
 
 
 def has_the_elastic_force(law: str, table: pd.DataFrame, geometry: str) -> None:
-    """Return whether the law has the elastic force at every overlap.
-
-    1e-11: the overlap is a difference of positions some 1000 times larger.
+    """Check that the law has the elastic force at every overlap. The relative tolerance is 1e-11,
+    because the overlap is a difference of positions some 1000 times larger.
     """
     bodies = scene(law)
     first, second = (table[table["id"] == k][["x", "y"]].to_numpy() for k in (1, 2))
@@ -133,9 +133,9 @@ def has_the_elastic_force(law: str, table: pd.DataFrame, geometry: str) -> None:
 
 @pytest.mark.parametrize("tangential", ["no_history", "history"])
 def test_sliding_friction(engine_law, tangential, tmp_path):
-    """A sphere that slides throughout an oblique impact loses tangential momentum: mu times the
-    normal impulse, d(vy) = -mu (1 + e) v. 2e-3: in the first instants, the tangential force has
-    not reached mu F.
+    """A sphere that slides during a whole oblique impact loses mu times the normal impulse along
+    the plane: d(vy) = -mu (1 + e) v. The relative tolerance is 2e-3, because the tangential force
+    needs some steps to reach mu F.
     """
     table = slide(engine_law, tangential, "off", tmp_path)
     normal = table["vx"].iloc[-1] - table["vx"].iloc[0]
@@ -148,8 +148,8 @@ def test_tangential_stiffness_is_the_laws(engine_law, tmp_path):
 
     For a cylinder it is pi E* L/(2 ln(2 D/a) + 1/(1 - nu)).
 
-    A slow creep along the plane (10 um/s) never slides: the spring force is k_t times the path so
-    far. 1e-3: the path begins within a step of the touch.
+    A slow motion along the plane (10 um/s) never slides, so the spring force is k_t times the path.
+    The relative tolerance is 1e-3, because the path begins up to one step after the touch.
     """
     bodies = scene(engine_law)
     bodies.run("creep", tmp_path, tangential="history")
@@ -182,7 +182,7 @@ def test_friction_without_history_is_critically_damped(engine_law, damping, tmp_
 
 @pytest.mark.parametrize("rolling", ["cdt", "epsd2"])
 def test_rolling_friction_takes_the_models_force(engine_law, rolling, tmp_path):
-    """The rolling torque of cdt is mu_r F R* against the spin, and limits the torque of epsd2."""
+    """The torque of `cdt` is mu_r F R* against the spin; the torque of `epsd2` is limited to it."""
     table = slide(engine_law, "history", rolling, tmp_path, spin=-50.0)
     plain = slide(engine_law, "history", "off", tmp_path / "plain", spin=-50.0)
     inertia = scene(engine_law).inertia * table["mass"] * table["radius"] ** 2

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A contact of every law keeps its history through sorts, restarts and borders of ranks, and
-loses it when it ends.
+"""A contact of every law keeps its history through sorts, restarts and borders of ranks. It loses
+its history when it ends.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from plastigran.engine.dumps import read_dump
 from plastigran.experiments.collision import measure
 from plastigran.materials import RIGID
 
-LARGE = 1e-4  # dissipative constant [s], for less restitution than the paper's spheres have
+LARGE = 1e-4  # dissipative constant [s] for less restitution than that of the paper's spheres
 
 
 def turned_pair_forces(law: str, folder: Path) -> np.ndarray:
@@ -39,8 +39,8 @@ def test_pair_flip(engine_law, tmp_path):
     """A contact during unloading that turns by half a revolution keeps its force through sorts
     and rebuilds of the neighbor lists.
 
-    1e-7: the overlap is a difference of positions 2000 times larger than itself, and the unloading
-    curve is steep.
+    The relative tolerance is 1e-7: the overlap is a difference of positions 2000 times larger, and
+    the unloading curve is steep.
     """
     force = turned_pair_forces(engine_law, tmp_path)
     assert force[0] > 0
@@ -60,8 +60,9 @@ def test_pair_flip_catches_a_law_that_flips(tmp_path):
 def test_second_touch_is_a_new_contact(engine_law, geometry, rebuild, tmp_path):
     """Both impacts of a bouncing sphere have the restitution of their own speed.
 
-    A contact that remembered the first would return the second, slower one elastically (1 instead
-    of 0.8 or less). 0.02: gravity of 10/s times the speed, over a millisecond of contact.
+    If the contact kept its history, the slower second impact would be elastic, with restitution 1
+    instead of 0.8 or less. The tolerance of restitution is 0.02: gravity is 10/s times the impact
+    speed, and a contact lasts a millisecond.
     """
     bodies = scene(engine_law, dissipative_constant=LARGE)
     body = bodies.material.body()
@@ -95,8 +96,8 @@ def test_second_touch_is_a_new_contact(engine_law, geometry, rebuild, tmp_path):
 
 @pytest.fixture(scope="session")
 def course(tmp_path_factory):
-    """Return a function for the times of largest overlap and of the end of an impact at 0.1
-    m/s; it measures each law once.
+    """Return a function that measures an impact of a law at 0.1 m/s once, with its loading and
+    contact time.
     """
 
     @cache
@@ -112,11 +113,9 @@ RESTARTS += [("pair", "unloading", 2), ("plane", "loading", 2), ("mesh", "unload
 
 @pytest.mark.parametrize(("geometry", "moment", "ranks"), RESTARTS)
 def test_restart_in_mid_contact(engine_law, geometry, moment, ranks, course, tmp_path):
-    """A run that continues from a file equals the second half of the whole run in every printed
-    digit.
-
-    A run begins with the forces at the speeds of that moment, the one before ended with those at
-    the speeds of half a step earlier: where they matter, the first frame shows other forces.
+    """A run that continues from a restart file is bitwise identical to the second half of the whole
+    run. The exception is the first frame of a rate-dependent law. The forces at the start of a run
+    use the current speeds; those at the end of a run use speeds of half a step earlier.
     """
     bodies = scene(engine_law)
     loading_time, contact_time = course(engine_law).loading_time, course(engine_law).contact_time
@@ -143,10 +142,9 @@ def test_restart_in_mid_contact(engine_law, geometry, moment, ranks, course, tmp
 
 
 def test_ranks_share_and_hand_over_a_contact(engine_law, course, tmp_path):
-    """On 1, 2 and 4 ranks, a contact lies on one border and crosses another: the collision is
-    the same.
-
-    1e-9: positions enter sums in another order on the other side of a border.
+    """A contact lies on one border and crosses another; the collision is the same on 1, 2 and 4
+    ranks. The relative tolerance is 1e-9, because positions are summed in another order behind a
+    border.
     """
     bodies, found = scene(engine_law), {}
     steps = ceil(1.3 * course(engine_law).contact_time / 4e-6)

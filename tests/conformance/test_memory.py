@@ -25,9 +25,9 @@ STAGES = (
     "of another type",
     "moved to other ranks",
     *["run in pieces"] * 3,
-    *["steps counted anew"] * 2,
+    *["step count restarted"] * 2,
     "restart file written",
-    *["pages of neighbours anew"] * 2,
+    *["neighbor pages changed"] * 2,
     "nothing deleted",
     "pair_style again",
     "wall again",
@@ -36,8 +36,8 @@ STAGES = (
 
 
 def held_forces(folder: Path) -> np.ndarray:
-    """Return the forces (frame, body, axis) [N] on the sphere at the wall and on the pair, from
-    left to right.
+    """Return the forces (frame, body, axis) [N]; the bodies are the sphere at the wall and the
+    pair, from left to right.
     """
     table = read_dump(folder / "trajectory.dump")
     bodies = [frame.sort_values("x")[["fx", "fy", "fz"]] for _, frame in table.groupby("step")]
@@ -45,10 +45,9 @@ def held_forces(folder: Path) -> np.ndarray:
 
 
 def assert_held(forces: np.ndarray, stages: tuple[str, ...]) -> None:
-    """Check that forces are the same at all stages, and that the tangential spring contributes
-    to them.
-
-    1e-9: where all are moved by 70 mm the overlap, 1e-4 of that, is rounded anew.
+    """Check that forces are the same at all stages, and that the tangential spring contributes to
+    them. They agree to 1e-9 of the largest component: moving all bodies by 70 mm changes the
+    round-off of the overlap, 1e-4 of this distance.
     """
     first = forces[0]
     assert np.all(np.abs(first[:, 1]) > 0.03 * np.abs(first[:, 0])), "no spring is stretched"
@@ -111,9 +110,8 @@ OTHER_LINES = {
 @pytest.mark.parametrize("owner", OTHER_LINES)
 def test_contacts_of_another_line_begin_anew(owner, tmp_path):
     """With another option or law, the log reports it, and only the contacts of that line start
-    without history.
-
-    0.3: at this overlap the law let go by a tenth has lost at least that of its force.
+    without history. Unloading by a tenth of the overlap had reduced their force by at least 0.3 of
+    it.
     """
     commands, changed = OTHER_LINES[owner]
     log = run_with(commands, "stronge", tmp_path)
@@ -129,8 +127,8 @@ def test_contacts_of_another_line_begin_anew(owner, tmp_path):
 
 
 def test_a_wall_elsewhere_is_another(tmp_path):
-    """A plane that is given again with the same ID, one micrometer away: its contact starts
-    without history, and the log reports it.
+    """A plane is given again with the same ID, one micrometer away. Its contact starts without
+    history, and the log reports it.
     """
     line = "unfix wall; fix wall all wall/gran model stronge tangential history primitive type 2 "
     log = run_with(line + "xplane -0.450001", "stronge", tmp_path)
@@ -201,7 +199,7 @@ def test_restart_with_another_law_is_refused(owner, commands, variables, tmp_pat
 @pytest.mark.parametrize("ranks", [1, 2])
 @pytest.mark.parametrize("geometry", GEOMETRIES)
 def test_a_restart_with_other_constants_is_told_of(geometry, ranks, tmp_path):
-    """The residual indentations were made with the constants of the file."""
+    """The log reports other constants, because the old ones produced the residual indentations."""
     case = {"geometry": geometry, "after": 1}
     bodies = scene("stronge")
     bodies.run("restart_write", tmp_path, before=40, **case)
@@ -233,8 +231,8 @@ SET_UP = "delete_atoms overlap 1e-6 all all"
 
 
 def test_constants_are_compared_from_run_to_run(tmp_path):
-    """Constants that held only between the runs, when commands set up the contacts, do not
-    matter.
+    """Constants that are changed and restored between two runs do not matter, even if a command
+    sets up the contacts meanwhile.
     """
     again = [STRENGTH.format(strength) for strength in ("5e8", "1e8", "7e8")]
     there = f"unfix yield_strength; {again[0]}; {SET_UP}; unfix yield_strength; "
@@ -256,7 +254,7 @@ def test_a_default_that_is_said_is_the_same_constant(tmp_path):
 
 @pytest.mark.parametrize("fix", ["range", "step", "motion", "history"])
 def test_own_fixes_may_be_removed(fix, tmp_path):
-    """The next run is set up again, with `pre no` too, and has the same forces."""
+    """The next run is set up again, even with `pre no`, and has the same forces."""
     log = run_with(f"unfix plastigran_{fix}; run 2 pre no", "thornton", tmp_path)
     assert_held(held_forces(tmp_path), ("held",) * 5)
     assert log.count("Setting up run") == 5

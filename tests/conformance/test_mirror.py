@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Mirror symmetry: two equal spheres that collide behave like one sphere on a rigid plane.
 
-The plane of symmetry between them stays plane, without friction: to each sphere it is the rigid
-plane. More generally two spheres are the one sphere on a rigid plane, of the yielding body's
-material, that has their Hertzian contact: radius R* E'/E*, overlap E*/E' of theirs, with the
-yielding body's E' = E/(1-nu^2).
+The plane of symmetry between the spheres stays plane and has no friction, so it acts like a rigid
+plane. More generally, two spheres behave like one sphere of the yielding body's material on a rigid
+plane. Its radius is R* E'/E*, and its overlap is E*/E' times theirs, with E' = E/(1-nu^2) of the
+yielding body.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ BODIES = {
 }
 #: Impact speeds divided by the yield speed.
 SPEEDS = np.geomspace(1, 1000, 13)
-#: Bisection finds the largest overlap to the last bit; the tolerance is for round-off.
+#: Relative tolerance for round-off; bisection finds the largest overlap to the last bit.
 SAME = 1e-9
 
 
@@ -37,8 +37,8 @@ def body(request) -> laws.Body:
 
 
 def options(law_name: str) -> list[dict[str, str]]:
-    """Return the default options of a law and each other choice, without the interpretation
-    that is not symmetric.
+    """Return the sets of options of a law: its defaults, and each choice of each option. The option
+    `reading` is left out, because it can break the symmetry.
     """
     rows = [row for row in laws.LAWS[law_name].options() if row["name"] != "reading"]
     return [{}, *({row["name"]: word} for row in rows for word in row["choices"])]
@@ -68,7 +68,7 @@ def test_two_equal_spheres_are_one_on_a_rigid_plane(sphere_law, body, law_betwee
 
 @pytest.mark.parametrize("stiffness", [0.2, 1.0, 5.0])
 def test_two_spheres_are_the_fitted_sphere(sphere_law, body, stiffness, law_between):
-    """The other body is elastic, softer or stiffer.
+    """The other of the two spheres is elastic, and softer or stiffer.
 
     Force, contact radius and energy agree on a path of loading, unloading and reloading.
     """
@@ -114,16 +114,16 @@ def test_the_fits_to_one_sphere_differ_in_the_other_reading():
 
 @pytest.mark.parametrize("name", ["ghaednia_2019", "jackson_green", "ye_komvopoulos"])
 def test_the_range_of_a_fit_mirrors(name):
-    """Each of two equal spheres has half of the overlap, and R* is half as large, so the ratio
-    is four times as large. A much softer elastic body may be indented by a tenth of R*, as in
-    any law.
+    """Each of two equal spheres has half of the overlap, and R* is half as large. So the range of
+    overlap/R* is four times as large. With a much softer elastic body, the range is 0.1, as in any
+    law.
     """
     steel, soft = BODIES["hardening_steel"], laws.Body(2.1e7, 0.3)
     plane, pair, dented = (
         laws.LAWS[name](laws.combine(steel, other)).overlap_range for other in (RIGID, steel, soft)
     )
     assert pair == pytest.approx(4 * plane, rel=SAME)
-    assert dented == pytest.approx(0.1, rel=1e-3)  # steel takes 1e-4 of the overlap
+    assert dented == pytest.approx(0.1, rel=1e-3)  # steel has 1e-4 of it
 
 
 @pytest.mark.parametrize("speed", [0.02, 0.3])

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The plugin's loop over contacts and LIGGGHTS' own loop give bitwise identical results for all
-models beside a law. LIGGGHTS' loop runs in each step in which a deck computes stresses.
+"""The plugin's loop over contacts and LIGGGHTS' own loop give bitwise identical results, with any
+models in addition to a law. LIGGGHTS' loop runs in each step in which a deck computes stresses.
 """
 
 from __future__ import annotations
@@ -63,7 +63,7 @@ ENTRIES = "".join(f"variable e{k} equal f_energy_ledger[{k}]\n" for k in range(1
 def follow(
     models: str, options: str, folder: Path, seen: str, ranks: int, more: str = "", every: int = 1
 ) -> tuple[pd.DataFrame, pd.DataFrame]:
-    """Return the motion of the grains and the log, for a deck that computes these quantities."""
+    """Return the motion of the grains and the log, for a deck that prints the quantities `seen`."""
     line = f"model universal {models}"
     text = (
         GRAINS

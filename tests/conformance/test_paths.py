@@ -3,11 +3,11 @@
 
 The tests find the laws by their files.
 
-A law that depends on the rate of overlap is followed at rate zero, where it must be a total law as
-all others; what the rate adds is the matter of its own tests in tests/verification.
+A rate-dependent law is followed at rate zero, where it must be path-explicit as all others. The
+effect of its rate has tests in tests/verification.
 
-Overlaps are scaled by the overlap at yield, forces by the force there, so that one set of paths
-reaches every regime of every law for any size and material.
+Overlaps are scaled by the overlap at yield, and forces by the force at yield. So one set of paths
+reaches every regime of every law, for any size and material.
 """
 
 from __future__ import annotations
@@ -21,9 +21,9 @@ from hypothesis import strategies as st
 from pairs import PAIRS, RADIUS, scales
 from scipy.integrate import simpson
 
-REACH = 500  # in overlaps at yield: the force reaches 100 yield forces and more
+REACH = 500  # largest overlap / overlap at yield; the force exceeds 100 yield forces
 
-# Turning points, in overlaps at yield, from light touch to far beyond yield.
+# Turning points of a path, divided by the overlap at yield, from separation to far beyond yield.
 turning_points = st.lists(
     st.one_of(st.floats(0, 2), st.floats(0, REACH), st.floats(-1, 0)), min_size=1, max_size=8
 )
@@ -61,7 +61,8 @@ def test_plastic_work_never_decreases(law_name, law_between, turns):
     for law, overlap_y, force_y in on_pairs(law_name, law_between):
         answer = law.follow(RADIUS, path(turns) * overlap_y)
         work = answer["plastic_work"]
-        # Round-off of the work of first loading; plastic work is the difference of two such values.
+        # Largest energy of first loading. The plastic work is a difference of two such energies, so
+        # their round-off limits it.
         fresh = (work + answer["elastic_energy"]).max()
         rounding = 1e-13 * max(fresh, force_y * overlap_y)
         assert (np.diff(work) >= -rounding).all()
@@ -73,9 +74,9 @@ def test_energies_account_for_the_work_done(law_name, law_between, jumps_of_firs
     """At every turning point, the work done equals stored energy plus plastic work, so no path
     returns more energy than it took.
 
-    The work is the integral of the law's own force, by Simpson's rule on 300 intervals a leg, which
-    ends where the force jumps and where reloading reaches the loading curve again; other kinks
-    of the force inside a leg limit it to 1e-4 of the largest energy met.
+    The work is the integral of the force, by Simpson's rule with 300 intervals per leg. Legs end
+    where the force jumps and where reloading reaches the loading curve again. Other kinks of the
+    force inside a leg cause errors of up to 1e-4 of the largest energy on the path.
     """
     for pair_name, pair in PAIRS.items():
         overlap_y, force_y = scales(law_name, pair)
@@ -102,9 +103,8 @@ def test_energies_account_for_the_work_done(law_name, law_between, jumps_of_firs
 
 @given(turns=turning_points, repeats=st.integers(1, 4))
 def test_answer_does_not_depend_on_how_often_it_is_asked(law_name, law_between, turns, repeats):
-    """Repeated calls and intermediate points do not change the response.
-
-    1e-11 of the largest force: round-off of the power 3/2 of the unloading curve.
+    """Repeated calls and intermediate points do not change the response. Forces agree to 1e-11 of
+    the largest force, because of round-off of the power 3/2 in the unloading curve.
     """
     for law, overlap_y, _ in on_pairs(law_name, law_between):
         fine, often, coarse = law.State(), law.State(), law.State()
@@ -147,7 +147,7 @@ def test_restitution_lies_between_zero_and_one(law_name, law_between, speed_rati
     for pair in PAIRS.values():
         law = law_between(law_name, pair)
         overlap_y, force_y = scales(law_name, pair)
-        speed = speed_ratio * np.sqrt(force_y * overlap_y / 1e-3)  # some yield speed, to 5 %
+        speed = speed_ratio * np.sqrt(force_y * overlap_y / 1e-3)  # yield speed to 5 %
         found = law.central_impact(RADIUS, 1e-3, speed)
         assert 0 < found.coefficient_of_restitution <= 1 + 1e-9
         assert 0 <= found.overlap_res < found.overlap_max

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A yield strength that grows with the strain rate, in LIGGGHTS: each contact keeps the
-strength of its first touch.
+"""In LIGGGHTS, the yield strength grows with the strain rate, and each contact keeps the strength
+of its first touch.
 
-`thornton` stands for all laws that are the same at another radius, `universal` for those that are
+`thornton` represents the laws that are scaled to another strength, and `universal` those that are
 interpolated between tables.
 """
 
@@ -24,7 +24,7 @@ from plastigran.experiments.collision import measure
 from plastigran.materials import RIGID
 
 LAW = "thornton"
-RATE = {"rate_coefficient": 0.1, "reference_rate": 1e-3}  # at 0.1 m/s and 0.1 m a factor of 1.69
+RATE = {"rate_coefficient": 0.1, "reference_rate": 1e-3}  # factor 1.69 at 0.1 m/s, 0.1 m
 SPHERES = Spheres(LAW, 0)
 ALUMINIUM = evolve(SPHERES.material, **RATE)
 
@@ -33,9 +33,8 @@ ALUMINIUM = evolve(SPHERES.material, **RATE)
 @pytest.mark.parametrize("speed", [0.1, 1.0])
 @pytest.mark.parametrize("geometry", IMPACTS["sphere"].geometries)
 def test_impact_is_the_laws_at_its_rate(geometry, speed, law, tolerance, tmp_path):
-    """The integration error is 1e-5 at a twentieth of the recommended step.
-
-    Where the plugin interpolates in tables, the tolerance is the 1e-3 of docs/rate_factor.md.
+    """At a twentieth of the recommended time step, the relative integration error is 1e-5. Where
+    the plugin interpolates in tables, the tolerance is 1e-3, as docs/rate_factor.md states.
     """
     case = CentralImpact(law, speed, ALUMINIUM, 0.1, geometry=geometry)
     plain = evolve(case, material=SPHERES.material).predict()
@@ -46,7 +45,8 @@ def test_impact_is_the_laws_at_its_rate(geometry, speed, law, tolerance, tmp_pat
 
 
 def test_two_equal_spheres_are_one_on_a_rigid_plane(tmp_path):
-    """1e-6: both runs have the same time steps, so their integration errors are nearly equal."""
+    """The relative tolerance is 1e-6: with the same time steps, the integration errors are nearly
+    equal."""
     plane, pair = (
         CentralImpact(LAW, 0.3, ALUMINIUM, 0.1, geometry=geometry)
         for geometry in ("sphere_wall", "two_spheres")
@@ -62,9 +62,8 @@ def test_two_equal_spheres_are_one_on_a_rigid_plane(tmp_path):
 @pytest.mark.parametrize("rebuild", ["no", "yes"])
 @pytest.mark.parametrize("geometry", ["pair", "plane", "mesh"])
 def test_second_touch_has_its_own_rate(geometry, rebuild, tmp_path):
-    """With the rate of the first touch, the second restitution would be 0.04 higher.
-
-    0.02: gravity changes the speed during the contact of one millisecond.
+    """With the rate of the first touch, the second restitution would be 0.04 higher. The tolerance
+    is 0.02, because gravity changes the speed during the contact of one millisecond.
     """
     steep = {"rate_coefficient": 1.0, "reference_rate": 1.0}
     SPHERES.run("bounce", tmp_path, geometry=geometry, rebuild=rebuild, speed=1.0, **steep)
@@ -104,9 +103,8 @@ def test_restart_keeps_the_rate(geometry, ranks, tmp_path):
 
 
 def test_ranks_hand_the_rate_over(tmp_path):
-    """The contact lies on one border and crosses another.
-
-    1e-9: positions are summed in another order.
+    """The contact lies on one border and crosses another. The relative tolerance is 1e-9, because
+    positions are summed in another order.
     """
     found = {}
     for ranks, grid in ((1, "1 1"), (2, "2 1"), (2, "1 2"), (4, "2 2")):
@@ -123,9 +121,8 @@ def test_ranks_hand_the_rate_over(tmp_path):
 
 
 def test_pair_flip_keeps_the_rate(tmp_path):
-    """A contact that turns by half a revolution, through sorts and rebuilds.
-
-    1e-7, as without rate factor.
+    """A contact turns by half a revolution, through sorts and rebuilds of the neighbor lists. The
+    relative tolerance of its force is 1e-7, as without rate factor.
     """
     forces = {}
     for name, rate in {"at rest": {}, "moving": RATE}.items():
@@ -138,8 +135,8 @@ def test_pair_flip_keeps_the_rate(tmp_path):
 
 
 def test_history_is_as_long_as_before_when_off(tmp_path):
-    """With rate factor, a restart file stores one more number for the contact, once per
-    particle, and a longer text of constants.
+    """With the rate factor, a restart file stores one more number per contact and particle. It also
+    has a longer text of constants, which this test removes.
     """
     sizes = []
     for name, rate in {"off": {}, "on": RATE}.items():

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-//
-// The declarations of CUDA's headers that the laws need, for a syntax check by clang without CUDA.
-// They come before the standard headers, whose `using` declarations then include them.
+// Declarations of CUDA headers that the laws need, for a syntax check by clang without CUDA.
+// Include this file before the standard headers, so that their `using` declarations find these
+// functions.
 #pragma once
 
 #define __host__ __attribute__((host))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Decks that these tests write, and their runs."""
+"""Text of the decks that these tests write, and functions that run it."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ def head(
     """Return the lines up to the neighbor skin.
 
     Args:
-        box: Bounds of the box, as of `region block`.
+        box: Bounds of the box, as for `region block`.
         skin: Neighbor skin [length].
         types: Number of atom types.
         units: Units of LIGGGHTS.
-        space: Lines for boundaries, and what else comes before the box.
+        space: Lines for boundaries, and other lines that must come before the box.
     """
     return f"""
 variable output index .

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Bad input stops before the first step; the message names property, value and allowed range."""
+"""Bad input stops the run before the first step, with property, value and allowed range."""
 
 from __future__ import annotations
 
@@ -72,7 +72,7 @@ BRINELL = r"indentationPressure is \d+; it must be between 100000 .* a hardness 
 def test_good_input_runs(tmp_path, engine_law):
     """The log states the constants of the model, and LIGGGHTS makes the step."""
     log = run(tmp_path, law=engine_law)
-    modulus = 7.0e10 / (2 * (1 - 0.3**2))  # of two equal bodies
+    modulus = 7.0e10 / (2 * (1 - 0.3**2))  # two equal bodies
     assert f"model {engine_law}, atom types 1 and 1: effective modulus {modulus:.6g} Pa" in log
     assert re.search(r"^ *Step ", log, re.MULTILINE)
     assert "for 1 steps with 1 atoms" in log
@@ -244,7 +244,7 @@ def test_viscous_damping_is_the_classic_dashpot(hertzian_law, tmp_path):
         run_text(folder, deck, law=law, speed=5e-4, dissipative_constant=1e-30)
         restitutions.append(measure(folder / "trajectory.dump").coefficient_of_restitution)
     assert 0.75 < restitutions[0] < 0.85
-    assert restitutions[0] == pytest.approx(restitutions[1], rel=1e-9)  # sums in another order
+    assert restitutions[0] == pytest.approx(restitutions[1], rel=1e-9)  # round-off of sums
 
 
 @pytest.mark.parametrize(

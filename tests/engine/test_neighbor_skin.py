@@ -11,7 +11,7 @@ from deck_text import head, material, run_text
 
 from plastigran.engine.dumps import read_dump
 
-# Spheres that fall on a plane three times and meet each other twice.
+# Three spheres fall on a plane; one hits it three times, and two of them collide twice.
 DECK = f"""
 neigh_modify    delay 0
 {material(7e9, 1e7, friction=0.5)}
@@ -56,10 +56,11 @@ def trajectory(skin: float, surface: str, folder: Path) -> np.ndarray:
 @pytest.mark.parametrize("surface", ["default", "multicontact"])
 @pytest.mark.parametrize("skin", [0.0, 1e-9])
 def test_a_small_skin_changes_no_contact(skin, surface, tmp_path):
-    """The limit is 1e-9 of the largest value: sums have another order. `surface multicontact`
-    depends on the skin if a sphere has several contacts: there only the first sphere counts."""
+    """Each quantity changes by at most 1e-9 of its largest value, because sums have another order.
+    `surface multicontact` depends on the skin if a sphere has several contacts, so only its first
+    sphere is compared."""
     expected = trajectory(2e-3, surface, tmp_path / "usual")
-    pressed = expected[0::3, 3] > 0  # the sphere that meets the plane alone
+    pressed = expected[0::3, 3] > 0  # the sphere that hits only the plane
     assert np.count_nonzero(np.diff(pressed.astype(int)) == 1) >= 3
     small_skin = trajectory(skin, surface, tmp_path / "small")
     counted = slice(0, None, 3 if surface == "multicontact" else 1)
@@ -68,8 +69,8 @@ def test_a_small_skin_changes_no_contact(skin, surface, tmp_path):
 
 
 def test_a_contact_ends_where_the_deck_takes_the_particle_away(tmp_path):
-    """A sphere is pressed into a plane, is far away in a run, and comes back with less overlap: its
-    force is that of a first contact."""
+    """A sphere overlaps a plane, is far away during the next run, and comes back with less overlap.
+    Its force is then that of a first contact."""
     text = head("-0.1 0.1 -0.1 0.1 -0.1 0.1", 2e-3) + (
         f"{material(7e9, 1e7, friction=0.5)}\n"
         "create_atoms 1 single 0 0 {height}\n"

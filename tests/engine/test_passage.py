@@ -11,7 +11,7 @@ import re
 import pytest
 from deck_text import error_of, head, run_text
 
-#: The README's balls above a floor, with a modulus typed in GPa or a step that is too long.
+#: The balls of the README above a floor. The tests give a modulus in GPa or a long time step.
 DECK = (
     head("0 0.05 0 0.05 -0.02 0.1", skin=0.002)
     + """
@@ -61,18 +61,18 @@ def test_a_modulus_typed_in_gpa(engine_wall, tmp_path):
 
 @pytest.fixture(params=["plane", "mesh"])
 def engine_wall(request):
-    """A plane, or the same as a mesh."""
+    """A plane, or a mesh in the same place."""
     if request.param == "plane":
         return {}
-    # The mesh is 5 by 6 and lies at x = 0.
+    # The mesh of the file lies at x = 0 and measures 5 by 6.
     mesh = "fix mesh all mesh/surface file ${inputs}/meshes/plate.stl type 1 scale 0.02"
     mesh += " rotate axis 0 1 0 angle 90 move 0.025 0.025 0"
     return {"mesh": mesh, "wall": "mesh n_meshes 1 meshes mesh"}
 
 
 def test_a_step_that_is_too_long(tmp_path):
-    """Balls hit a wall at 10 m/s in steps of 0.4 radii: the first contact is too strong, or the
-    second step passes the wall. The message quotes earlier warnings."""
+    """Balls hit a wall at 10 m/s and move by 0.4 radii per step. The first contact force is too
+    large, or the second step passes the wall. The message quotes earlier warnings."""
     text = error_of(tmp_path, deck(**STEP_TOO_LONG, velocity=-10))
     assert "is about to cross a wall" in text or "times its radius in one step" in text
     assert "the time step 0.0002 is too long for wall impacts" in text

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The plugin as a shared library: it adds models and changes nothing else."""
+"""The plugin is a shared library that adds models and changes nothing else."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from plastigran.engine.process import PROJECT, command, environment, inputs_fold
 from plastigran.experiments.collision import measure
 
 PLUGIN = PROJECT / "build" / "libplastigran.so"
-VISCOSITY = {"dissipative_constant": 3e-5}  # for the laws that must have it; others do not look
+VISCOSITY = {"dissipative_constant": 3e-5}  # some laws need it; others ignore it
 
 
 def wall_deck(law: str) -> str:
@@ -119,7 +119,7 @@ def test_launcher_under_mpirun(ranks, tmp_path):
 
 
 def test_single_processes_start_at_the_same_time(tmp_path):
-    """They are MPI processes without a launcher, and must not use each other's files."""
+    """Each is an MPI process without mpirun, and must not use the session files of another."""
     (tmp_path / "empty.in").write_text("")
     line = [PROJECT / "build" / "liggghts-plastigran", "-in", "empty.in", "-log", "none"]
 

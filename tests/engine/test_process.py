@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Running LIGGGHTS: errors are quoted, time-outs are kept, and no process is left behind."""
+"""Running LIGGGHTS quotes its errors, stops after a time limit, and leaves no process behind."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ newton off
 region box block 0 1 0 1 0 1 units box
 create_box 1 box
 """
-#: Runs for hours.
+#: A deck that runs for hours.
 ENDLESS = (
     SHORT
     + """
@@ -110,7 +110,8 @@ def wait_until(true, seconds: float = 60) -> None:
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_paths_may_hold_spaces(ranks, tmp_path, monkeypatch):
-    """Paths of input scripts and results, which LIGGGHTS itself would split at the space."""
+    """Paths of input scripts and results may have spaces, at which LIGGGHTS itself would split
+    them."""
     inputs = tmp_path / "my inputs"
     inputs.symlink_to(inputs_folder())
     monkeypatch.setenv("PLASTIGRAN_INPUTS", str(inputs))

@@ -41,7 +41,7 @@ def test_time_left_covers_all_runs(bar):
     write(log, f"run 100\n{HEAD}0 1\n50 1\n")
     assert line(bar, 5) == "deck: 50.0/1.00k steps, 00:05 so far, 01:35 to go"
     write(log, f"100 1\nLoop time of 10\nrun 900\n{HEAD}100 1\n200 1\n")
-    # 200 steps in 110 s: 800 are left.
+    # 200 steps took 110 s, and 800 are left.
     assert line(bar, 110) == "deck: 200/1.00k steps, run 2, 01:50 so far, 07:20 to go"
 
 

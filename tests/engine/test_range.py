@@ -26,7 +26,7 @@ def excess(geometry: str, law: str, speed: float, folder: Path, ranks: int = 1, 
 
 
 def vu_quoc_zhang_limit(pair: laws.MaterialPair, radius_eff: float) -> float:
-    law = laws.VuQuocZhang(pair)  # calibrated to P = 41 P_Y; 2 % for rounded figures
+    law = laws.VuQuocZhang(pair)  # fitted up to 41 P_Y, rounded to 2 %
     return law.overlap(radius_eff, 42 * law.yield_force(radius_eff), law.State())
 
 
@@ -57,8 +57,8 @@ CASES = [
 
 @pytest.mark.parametrize(("law", "speed", "limit"), CASES)
 def test_the_range_is_the_published_one(law, speed, limit, aluminium, tmp_path):
-    """The excess is the largest overlap divided by that of the range. 1e-3 covers the error of the
-    step, and that the largest overlap lies between two frames."""
+    """The excess is the largest overlap divided by the largest valid overlap. The relative
+    tolerance 1e-3 covers the error of the time step and the distance between frames."""
     model = CentralImpact(law, speed, aluminium, 0.1)
     reports = excess("sphere_wall", law, speed, tmp_path, timestep=model.timestep)
     assert [line[:2] for line in reports] == [(law, "1")]
@@ -69,7 +69,7 @@ def test_the_range_is_the_published_one(law, speed, limit, aluminium, tmp_path):
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_a_contact_is_counted_once(ranks, tmp_path):
-    """Also if the spheres belong to different ranks."""
+    """A contact counts once even if its spheres belong to different ranks."""
     reports = excess("two_spheres", "vu_quoc_zhang", 0.2, tmp_path, ranks=ranks)
     assert [line[1] for line in reports] == ["1"]
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`run 0` computes forces and moves nothing: the next run is the same as without it."""
+"""`run 0` computes forces and moves nothing, so the next run is the same as without it."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ dump_modify trajectory format "%d %.15g %.15g %.15g %.15g"
 run             200
 """
 )
-DEEP = {"height": 0.00999, "other_height": 0.02997}  # overlaps of 10 and 20 um: yielded
+DEEP = {"height": 0.00999, "other_height": 0.02997}  # overlaps of 10 and 20 um, beyond yield
 TOUCHING = {"height": 0.01 - 1e-11, "other_height": 0.03 - 3e-11}
 
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A bed that settled with LIGGGHTS' `hertz` continues with a law, and the reverse: the decks of
-docs/settle_then_yield.md, on planes and meshes, on one rank and on two."""
+"""A bed that settled with LIGGGHTS' `hertz` continues with a law, and the reverse. The decks are
+those of docs/settle_then_yield.md, on planes and meshes, on one rank and on two."""
 
 from __future__ import annotations
 
@@ -52,10 +52,9 @@ def run(folder: Path, deck: str, name: str, ranks: int, wall: str) -> str:
 @pytest.mark.parametrize("ranks", [1, 2])
 @pytest.mark.parametrize("wall", ["plane", "mesh"])
 def test_a_bed_settled_with_hertz_continues_with_a_law(wall, ranks, tmp_path):
-    """Contacts are loaded to their overlap: they yield at once, and the energy balance closes.
-
-    1e-5 of the energy: the integrator's error in these 2000 steps; the plastic work at the start
-    alone is 1e-2 of it.
+    """Contacts are loaded to their overlap, so they yield at once, and the energy balance closes.
+    The balance error is below 1e-5 of the initial energy, the error of the integration in 2000
+    steps. The plastic work at the start alone is 1e-2 of this energy.
     """
     run(tmp_path, SETTLE, "settle", ranks, wall)
     deck = CONTINUE.replace(INCLUDE, LEDGER)
@@ -91,7 +90,7 @@ def test_a_bed_settled_with_a_law_continues_with_hertz(wall, ranks, tmp_path):
 @pytest.mark.parametrize("ranks", [1, 2])
 @pytest.mark.parametrize("wall", ["plane", "mesh"])
 def test_the_models_may_change_within_a_deck(wall, ranks, tmp_path):
-    """Lines of the second deck follow those of the first one, after the wall is deleted."""
+    """The lines of the second deck follow those of the first deck after the wall is deleted."""
     second = re.findall(r"^(?:fix m5|pair_style|pair_coeff|fix floor|timestep).*\n", CONTINUE, re.M)
     lines = "".join(second).replace("fix floor", LEDGER + "fix floor", 1)
     if wall == "mesh":

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Values that look like a slip give one warning; a refusal names the possible choices."""
+"""Values that look like typing errors give one warning; an error lists the possible choices."""
 
 from __future__ import annotations
 
@@ -112,7 +112,7 @@ def test_a_good_deck_gives_no_warning(tmp_path):
     ],
 )
 def test_a_slip_gives_one_warning(changes, message, tmp_path):
-    """Pairs and walls have the same bodies, so there is one warning."""
+    """There is one warning, although pairs and walls use the same value."""
     log = run(tmp_path, **changes)
     assert log.count("WARNING: plastigran: model ") == 1
     assert message in log
@@ -169,7 +169,8 @@ def test_different_models_of_pairs_and_walls_give_one_warning(pairs, wall, messa
 
 
 def test_constants_are_printed_once_with_their_lines(tmp_path):
-    """Two atom types and five walls, one with another law: three lines per law."""
+    """With two atom types, the log has three lines per law; one of the five walls has another
+    law."""
     walls = [f"fix w{k} all wall/gran model thornton tangential off {FLOOR}" for k in range(4)]
     walls.append(f"fix other all wall/gran model stronge tangential off {FLOOR}")
     log = run(tmp_path, floor="\n".join(walls))
@@ -201,8 +202,8 @@ def test_an_unknown_law_is_refused_with_the_possible_ones(tmp_path):
 
 
 def test_constants_of_unused_type_pairs_are_not_checked(tmp_path):
-    """An indentation pressure that is impossible for the type of the rigid wall is accepted, if no
-    particle has that type."""
+    """An indentation pressure that is impossible for two bodies of the wall's type is accepted if
+    no particle has that type."""
     bad = {"model": "brake_2012 tangential off", "more": matrix("indentationPressure", "1e9")}
     assert "atom types 1 and 2" in run(tmp_path, **bad)
     particle = "create_atoms 2 single -0.5 0 0.5\nset group all diameter 0.2 density 2700"

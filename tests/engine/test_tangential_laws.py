@@ -48,7 +48,8 @@ fix motion all nve/sphere
 {report}
 run {steps}
 """
-#: Velocities [m/s] of 300 steps each: press, slide and slip, turn, lift, and slide back.
+#: Velocities [m/s] of the sphere, for 300 steps each: it is pressed on, moves along, changes
+#: direction, rises, and moves back.
 PATH = [(0, 0, -1), (0.3, 0, 0), (0.05, 0.2, -0.2), (-0.1, 0, 0.5), (-0.4, -0.1, 0.05)]
 SEGMENT = """unfix motion
 fix motion all move linear {} {} {}
@@ -85,7 +86,7 @@ def impact(
 
 @pytest.mark.parametrize("law", LAWS)
 def test_tangential_restitution_without_gain_of_energy(law, tmp_path):
-    """The accepted error of 0.008 was set before the first run."""
+    """The tolerance 0.008 of the tangential restitution was set before the first run."""
     for angle, expected in zip(ANGLES, LAWS[law], strict=True):
         after = impact(tmp_path, law, angle)
         assert after.along / sin(radians(angle)) == pytest.approx(expected, abs=0.008)
@@ -97,8 +98,8 @@ def test_tangential_restitution_without_gain_of_energy(law, tmp_path):
 def test_plastic_impacts_gain_no_energy(normal, law, tmp_path):
     """The rebound never has more energy than the impact without its plastic loss.
 
-    The normal restitution does not depend on friction, so the normal energy is known from a steep
-    impact. 1e-3: error of the normal restitution at this time step.
+    Friction does not change the normal restitution, so a normal impact gives the normal energy. The
+    tolerance is 1e-3 of that energy, the error of the normal restitution at this time step.
     """
     steep = impact(tmp_path, law, 0, normal, 1e8)
     for angle in (1, 10, 45, 80):
@@ -109,10 +110,10 @@ def test_plastic_impacts_gain_no_energy(normal, law, tmp_path):
 
 @pytest.mark.parametrize("law", LAWS)
 def test_force_is_that_of_the_law(law, tmp_path):
-    """An elastic sphere moves on a given path. Along it the contact sticks, slips and unloads.
+    """An elastic sphere moves on a given path, on which the contact sticks, slips and unloads.
 
-    1e-9 of the largest friction force: round-off of positions over the overlap, in 1500 steps. The
-    tolerance was set before the first run.
+    The force differs by at most 1e-9 of the largest friction force: the round-off of positions,
+    relative to the overlap, adds up over 1500 steps. The tolerance was set before the first run.
     """
     lines = LINES.format(law=law, normal="thornton")
     report = REPORT.replace("thermo 1000", "thermo 1").replace("%.15g", "%.17g")

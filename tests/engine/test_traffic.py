@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A contact keeps its history whatever happens around it: atoms are sorted, others come and go, and
-the border between ranks moves over it."""
+"""A contact keeps its history while atoms are sorted, others are inserted or deleted, and the
+border between ranks moves across the contact."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from plastigran.engine.dumps import read_dump
 from plastigran.engine.log import read_thermo
 from plastigran.engine.process import run_deck
 
-#: Two spheres are pressed together, half released, and kept in place; the others move around them.
+#: Two spheres are compressed, partly unloaded, and kept in place; the others move around them.
 DECK = """
 variable law index thornton
 variable grid index "1 1 1"
@@ -103,11 +103,11 @@ def forces(law: str, folder: Path, grid: str, sort: str, comes: str, compress: s
     ids=["sorted", "others come and go", "the border moves"],
 )
 def test_a_held_contact_keeps_its_force(law, grid, sort, comes, compress, tmp_path):
-    """It stays the force on the unloading branch; that of first loading is half as large again.
+    """The force stays on the unloading curve; during first loading, it would be 1.5 times as large.
 
-    The border of two ranks starts left of the pair, at the middle of the box, and follows the
-    runner past it. 1e-9: the overlap is a difference of positions fifty times larger, and stays
-    what it is; the law at the printed positions is as good as their 1e-16 over the overlap.
+    The border of two ranks starts left of the pair, at the middle of the box, and follows a moving
+    particle past the pair. The force is constant to 1e-9 of itself, because the overlap is a
+    difference of constant positions, fifty times larger. It agrees with the law to 1e-6.
     """
     force = forces(law, tmp_path, grid, sort, comes, compress)
     assert force == pytest.approx(np.full(101, force[0]), rel=1e-9)
@@ -119,7 +119,7 @@ def test_a_held_contact_keeps_its_force(law, grid, sort, comes, compress, tmp_pa
         expected = model.respond(0.0025, overlap, state).force
     assert force[0] == pytest.approx(expected, rel=1e-6)
     assert model.respond(0.0025, held, model.State()).force > 1.2 * expected
-    log = read_thermo(tmp_path / "log.liggghts").dropna(subset="border")  # of the last two runs
+    log = read_thermo(tmp_path / "log.liggghts").dropna(subset="border")  # last two runs
     assert log["border"].iloc[0] < 0.02 < log["border"].iloc[-1]
     if comes:
-        assert log["atoms"].max() > 20 and log["atoms"].diff().min() < 0  # they came, one went
+        assert log["atoms"].max() > 20 and log["atoms"].diff().min() < 0  # inserted, deleted

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Walls with a law, and pairs with LIGGGHTS' `hertz`: the plugin works for walls alone."""
+"""The plugin works for walls alone: walls have a law, and pairs LIGGGHTS' `hertz`."""
 
 from __future__ import annotations
 
@@ -74,7 +74,7 @@ def test_a_wall_given_again_keeps_its_contacts(tmp_path):
 @pytest.mark.parametrize("pairs", ["hertz", "universal"])
 @pytest.mark.parametrize("again", [True, False])
 def test_a_wall_given_before_a_run_without_setup_is_there(again, pairs, tmp_path):
-    """A new line has its setup, so the run with `pre no` is the same as without."""
+    """A new line is set up in any case, so the run is the same with and without `pre no`."""
     wall = next(line for line in MATERIAL.splitlines() if line.startswith("fix floor"))
     models = MATERIAL.replace("gran model hertz", f"gran model {pairs}", 1)
     lines = f"unfix floor\n{wall}" if again else wall
@@ -128,7 +128,8 @@ def test_a_restart_with_other_models_on_the_wall_is_refused(pairs, models, other
 
 
 def test_a_wall_elsewhere_after_a_restart_has_new_contacts(tmp_path):
-    """The floor is 2 um lower, less than the overlap; its ID stays or changes."""
+    """The floor of the second run is 2 um lower, less than the overlap, with the same or another
+    ID."""
     run_text(tmp_path, start() + MATERIAL + SPHERE + "run 540\nwrite_restart middle.restart\n")
     create = (
         start().split("region")[0] + f"hard_particles yes\nread_restart {tmp_path}/middle.restart\n"

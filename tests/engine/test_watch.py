@@ -66,7 +66,7 @@ def test_force_that_is_nan(ranks, tmp_path):
 
 
 def test_velocity_that_is_nan(tmp_path):
-    """A force is huge from step 500; the message names the place before."""
+    """A force is huge from step 500; the message has the last finite position."""
     more = "variable wild equal 1e300*(step>500)\nfix wild all addforce v_wild 0 0"
     message = stopped(tmp_path, [(0, 0, 0.05)], more=more)
     assert "particle 1 at (0 0 0.05) has a velocity that is NaN or infinite" in message
@@ -103,7 +103,7 @@ def test_particle_that_outruns_its_contacts(tmp_path):
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_lost_particle(ranks, tmp_path):
-    """It stops a run with `lost error`; by default, LIGGGHTS deletes it."""
+    """A lost particle stops a run with `lost error`; by default, LIGGGHTS deletes the particle."""
     grains = [(0, 0, 0.05), (-0.09, 0.03, 0.05)]
     away = "velocity all set -100 0 0\n"
     changes = {"ranks": ranks, "steps": 100}
@@ -118,8 +118,8 @@ def test_lost_particle(ranks, tmp_path):
 def test_step_is_compared_with_known_times(tmp_path):
     """One line states Rayleigh's time, Hertz' duration and the step of the law, to two digits.
 
-    Rayleigh: pi R/c, c = (0.8766 + 0.1631 nu) (G/rho)^(1/2), Bergmann's approximation, within 0.2 %
-    of the root of Rayleigh's equation, c = 0.9274 (G/rho)^(1/2) for nu = 0.3.
+    The Rayleigh time is pi R/c. The wave speed is c = (0.8766 + 0.1631 nu) (G/rho)^(1/2) in
+    Bergmann's approximation. For nu = 0.3, it is within 0.2 % of the exact 0.9274 (G/rho)^(1/2).
     """
     speed, step = 0.3, 1e-6
     text = run(tmp_path, [(0, 0, GAP)], more=f"velocity all set 0 0 -{speed}", timestep=step)
@@ -137,7 +137,8 @@ def test_step_is_compared_with_known_times(tmp_path):
 
 
 def test_contacts_at_the_start_of_a_run_count(tmp_path):
-    """A grain starts at rest in a wall: the step is that of an impact with the same overlap."""
+    """A grain at rest overlaps a wall; the recommended step is that of an impact with this
+    overlap."""
     overlap, step = 0.2 * RADIUS, 1e-7
     text = run(tmp_path, [(0, 0, RADIUS - overlap)], timestep=step, steps=1)
     law = laws.Thornton(laws.combine(BODY, BODY))
@@ -149,9 +150,9 @@ def test_contacts_at_the_start_of_a_run_count(tmp_path):
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_contact_shows_that_the_step_is_too_long(ranks, tmp_path):
-    """A grain falls from rest, which gives no warning. After the impact, the step of the law for
-    that speed is recommended. Overlaps are checked when they grow by 10 %, so the recommended step
-    may be up to 5 % too long.
+    """A grain falls from rest, which gives no warning at the start. After the impact, the log
+    recommends the step of the law for that speed. The run checks overlaps each time they grow by 10
+    %, so the recommended step may be up to 5 % too long.
     """
     speed = 0.5
     law = laws.Thornton(laws.combine(BODY, BODY))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Impacts of adhesive spheres on the command line, slower and faster than they stick."""
+"""Impacts of adhesive spheres on the command line, below and above the sticking speed."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ variable density        index 1350
 variable yield_strength index 22e6
 """
 RADIUS, GAMMA = 2.5e-6, 0.2
-#: Of the sphere on a rigid wall.
+#: Sticking speed of the sphere on a rigid wall [m/s].
 STICKING = jkr_sticking_speed(GAMMA, RADIUS, 1.2e9 / 0.91, 4 / 3 * np.pi * RADIUS**3 * 1350)
 LAWS = ["--law", "jkr", "thornton_ning_1998", "universal", "--surface-energy", str(GAMMA)]
 
@@ -40,7 +40,8 @@ def test_impacts_stick_and_rebound(call, capsys):
         measured, predicted = (
             row[f"coefficient_of_restitution{suffix}"] for suffix in ("", "_predicted")
         )
-        # The recommended time step has an error of 1e-3; the largest here is 1.1e-3.
+        # The recommended time step allows an error of restitution of 1e-3; the largest here is
+        # 1.1e-3.
         assert measured == pytest.approx(predicted, abs=2e-3)
         assert row["overlap_res"] == pytest.approx(row["overlap_res_predicted"], rel=1e-2)
         assert row["surface_energy"] == GAMMA
@@ -50,7 +51,8 @@ def test_impacts_stick_and_rebound(call, capsys):
 
 
 def test_the_remark_has_the_sticking_speed_of_each_sphere(call, capsys):
-    """Two spheres close at twice the speed; R* and m* are halved, and so is E*."""
+    """Two spheres approach at twice the speed of each; R*, m* and E* are half of those at a
+    wall."""
     half = jkr_sticking_speed(GAMMA, RADIUS / 2, 0.6e9 / 0.91, 2 / 3 * np.pi * RADIUS**3 * 1350) / 2
     assert main([*call, *LAWS, "--speed", "0.1", "--geometry", "two_spheres", "--theory"]) == 0
     printed = capsys.readouterr().out

@@ -24,7 +24,7 @@ STEEL = pg.material("steel")
 
 
 def test_the_readmes_example_runs():
-    """As printed; LIGGGHTS agrees with the law to the error of the recommended time step."""
+    """LIGGGHTS agrees with the law within the relative error 1e-3 of the recommended time step."""
     example = re.search(r"```python\n(.*?)```", (PROJECT / "README.md").read_text(), re.DOTALL)[1]
     names = {}
     exec(example, names)
@@ -46,7 +46,7 @@ def test_import_is_light():
 
 @pytest.mark.parametrize("law", ["thornton", "viscoelastic_hertz"])
 def test_a_contact_agrees_with_an_experiment(law):
-    """The law, radius and mass are those of the impact of an experiment: equal to round-off."""
+    """A contact and an experiment with the same law, radius and mass agree to round-off."""
     ice = pg.material("ice")
     body = evolve(STEEL, dissipative_constant=1e-6) if law == "thornton" else ice
     case = CentralImpact(law, 0.1, body, 0.01, "two_spheres")
@@ -68,7 +68,8 @@ def test_a_contact_of_cylinders_has_their_mass():
 
 
 def test_yield_of_a_contact_of_spheres():
-    """Johnson's closed forms, sec. 6.1, and on the elastic curve of the law."""
+    """Yield follows the closed forms of Johnson, sec. 6.1, and lies on the elastic curve of the
+    law."""
     contact = pg.Contact("thornton", STEEL, "steel", radius=5e-3, radius_other=0.02)
     pressure, modulus = contact.pair.yield_pressure, contact.pair.youngs_modulus_eff
     radius = 1 / (1 / 5e-3 + 1 / 0.02)
@@ -86,7 +87,7 @@ def test_yield_of_a_contact_of_spheres():
 
 
 def test_yield_of_a_contact_of_cylinders():
-    """F_Y = 36 sigma_Y^2 R* L/(pi E*), and on the elastic curve of the law."""
+    """The yield force is 36 sigma_Y^2 R* L/(pi E*), and lies on the elastic curve of the law."""
     lengths = {"cylinder_length": 1e-4, "body_thickness": 1e-4}
     glass = pg.material("glass_kp10")
     contact = pg.Contact("lim_stronge", glass, pg.RIGID, radius=1e-5, **lengths)
@@ -115,7 +116,8 @@ def test_speeds_of_any_shape():
 
 
 def test_a_path_accounts_for_its_work():
-    """Work of the force = elastic energy + plastic work; 1e-4: error of the trapezoidal rule."""
+    """Elastic energy plus plastic work equal the work of the force within 1e-4 of it, the error of
+    the trapezoidal rule."""
     path = pg.Contact("thornton", STEEL, "steel", radius=5e-3).path(np.linspace(0, 2e-5, 2000))
     work = np.trapezoid(path["force"], path["overlap"])
     last = path.iloc[-1]
@@ -160,7 +162,7 @@ def test_the_representation_of_a_contact():
 
 
 def test_a_call_beyond_the_range_of_a_law_warns_once():
-    """kogut_etsion is valid up to 110 times the overlap at yield."""
+    """`kogut_etsion` is valid up to 110 times the overlap at yield."""
     contact = pg.Contact("kogut_etsion", STEEL, pg.RIGID, radius=5e-3)
     speeds = np.geomspace(1e-3, 1, 40)
     outcome = contact.impact(speeds)
@@ -197,7 +199,7 @@ def test_rubber_is_a_material(tmp_path):
 
 @pytest.mark.engine
 def test_relative_paths_start_at_the_current_folder(monkeypatch, tmp_path):
-    """LIGGGHTS runs in other folders."""
+    """LIGGGHTS runs in other folders, so paths in the environment must become absolute."""
     engine = engine_path()
     monkeypatch.chdir(engine.parents[1])
     monkeypatch.setenv("PLASTIGRAN_ENGINE", str(engine.relative_to(engine.parents[1])))

@@ -19,7 +19,8 @@ OWN = Path(__file__).parent / "own"
 
 
 def test_one_file_is_an_experiment(tmp_path):
-    """Hertz to 2e-3: the error is of second order in the time step, 1/200 of the contact time."""
+    """Results agree with Hertz within a relative 2e-3. The error is of second order in the time
+    step, which is 1/200 of the contact time."""
     line = ["touch", "--speed", "0.05", "0.2", "--output", str(tmp_path)]
     done = subprocess.run(
         [sys.executable, "-m", "plastigran", *line],

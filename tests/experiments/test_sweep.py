@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Sweeps of cases: files that they keep, input that they refuse, tables and figures."""
+"""Sweeps of cases keep finished results, refuse wrong input, and make tables and figures."""
 
 from __future__ import annotations
 

@@ -15,7 +15,7 @@ import pytest
 
 import plastigran as pg
 
-#: Type that mypy reports for each public name, or its beginning.
+#: Type that mypy reports for each public name, or the beginning of its text.
 TYPES = {
     "RIGID": "plastigran.laws.Body",
     "Contact": "def (law: str, a: plastigran.materials.Material",
@@ -50,7 +50,7 @@ def test_public_names_have_types():
 
 
 def test_a_type_checker_knows_every_name(tmp_path):
-    """It reports a name that does not exist as an error."""
+    """mypy finds the type of each name, and reports an error for a name that does not exist."""
     script = tmp_path / "script.py"
     lines = [f"reveal_type({re.sub(r'^|(?<=, )(?=RIGID)', 'pg.', name)})" for name in TYPES]
     script.write_text("\n".join(["import plastigran as pg", *lines, "pg.Kontact", ""]))
@@ -68,7 +68,7 @@ def test_a_type_checker_knows_every_name(tmp_path):
 def editor():
     """Definitions that jedi finds without running code of the package.
 
-    Python starts without `site`, because `site` runs the import hook of an editable installation.
+    Python runs without `site`, because `site` runs the import hook of an editable installation.
     """
     paths = [Path(pg.__file__).parents[1], Path(jedi.__file__).parents[1]]
     environment = os.environ | {"PYTHONPATH": os.pathsep.join(map(str, paths))}

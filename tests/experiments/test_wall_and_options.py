@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Impacts on a wall of another material, and by laws with options: LIGGGHTS agrees with the law
-alone, and impossible cases are refused."""
+"""LIGGGHTS agrees with the law for impacts on a wall of another material and for laws with options.
+Impossible cases are refused."""
 
 from __future__ import annotations
 
@@ -19,7 +19,8 @@ from plastigran.materials import RIGID, Material, read_material
     ids=["wall yields", "ball yields", "soft wall"],
 )
 def test_the_engine_has_the_wall_of_theory(geometry, ball, wall, tmp_path):
-    """2e-3: twice the error in restitution at the recommended time step."""
+    """The relative tolerance 2e-3 is twice the error of restitution at the recommended time
+    step."""
     case = CentralImpact("universal", 0.5, ball, 0.005, geometry, wall=wall)
     found, expected = case.run(tmp_path), case.predict()
     for name in ("coefficient_of_restitution", "force_max", "overlap_max"):
@@ -39,7 +40,7 @@ def test_a_rigid_wall_has_a_name():
 
 
 def test_a_wall_of_the_balls_metal_has_half_its_modulus():
-    """1/E* = 2 (1 - nu^2)/E, and the yield speed of Hertz' contact goes with E*^-2."""
+    """1/E* = 2 (1 - nu^2)/E, and the yield speed of Hertz' contact is proportional to E*^-2."""
     steel = read_material("steel")
     alike = CentralImpact("thornton", 1.0, steel, 0.01, wall=steel)
     rigid = CentralImpact("thornton", 1.0, steel, 0.01)
@@ -49,7 +50,7 @@ def test_a_wall_of_the_balls_metal_has_half_its_modulus():
 
 
 def test_an_option_reaches_law_and_engine(tmp_path):
-    """Compared with a law that is created directly; 2e-3 as above."""
+    """Theory equals a law that is created directly; LIGGGHTS agrees within 2e-3, as above."""
     case = CentralImpact("universal", 2.0, "steel", 0.005, options="yielding flat")
     law = laws.LAWS["universal"](case.pair, yielding="flat")
     by_hand = law.central_impact(case.radius_eff, case.mass_eff, case.closing_speed)
@@ -127,7 +128,7 @@ def test_a_law_of_dents_for_a_ball_that_flattens_is_said():
 
 @pytest.mark.parametrize("name", ["rigid", "none", "default", "", "a/b", 304])
 def test_names_that_no_material_may_have(name):
-    """Tables and folders use them with another meaning, or cannot contain them."""
+    """Tables and folders use these names with another meaning, or cannot contain them."""
     with pytest.raises(ValueError, match=f"name is {name!r}[;,] "):
         Material(name, **read_material("steel").variables())
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Computations several tests look at."""
+"""Computations that several tests use."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ def elastic_pressing():
 
 @pytest.fixture(scope="session")
 def plastic_pressing():
-    """Pressed to 500 N, let go, pressed again to 1500 N and let go."""
+    """Compression to 500 N, unloading, compression to 1500 N, and unloading."""
     return press(METAL, RADIUS, [500.0, 1500.0], COARSE)
 
 

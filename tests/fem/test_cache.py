@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Results on disk."""
+"""Finite-element results that are stored on disk."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from plastigran.fem.sphere.press import press
 
 @pytest.fixture
 def counted(tmp_path, monkeypatch):
-    """A computation that counts how often it was done."""
+    """A computation, and the list of its calls."""
     monkeypatch.setenv("PLASTIGRAN_CACHE", str(tmp_path))
     calls = []
 
@@ -91,7 +91,7 @@ def test_broken_file_is_computed_again(counted, damage):
 
 
 def test_a_result_comes_back_whole(tmp_path, monkeypatch):
-    """A real one, with tables and fields; every number to the last digit."""
+    """A real result has tables and fields; all its numbers are bitwise identical."""
     monkeypatch.setenv("PLASTIGRAN_CACHE", str(tmp_path))
     first, again = (cached(press, METAL, RADIUS, [20.0], settings=COARSE) for _ in range(2))
     assert again is not first and again.material == first.material
@@ -165,7 +165,7 @@ class Trap:
 
 
 def test_a_cache_that_cannot_be_made_loses_no_result(counted, monkeypatch, tmp_path):
-    """The folder's parent is a file: root, too, can write nothing there."""
+    """The parent of the folder is a file, so even root cannot write there."""
     (tmp_path / "file").write_text("")
     monkeypatch.setenv("PLASTIGRAN_CACHE", str(tmp_path / "file" / "cache"))
     compute, _ = counted
@@ -176,7 +176,7 @@ def test_a_cache_that_cannot_be_made_loses_no_result(counted, monkeypatch, tmp_p
 
 
 def test_a_limit_of_file_sizes_loses_no_result(counted):
-    """As a full disk does: what has been written of the file goes."""
+    """As on a full disk, the incomplete file is deleted."""
     compute, _ = counted
     limits = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (100, limits[1]))

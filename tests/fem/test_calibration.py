@@ -17,7 +17,7 @@ SPHERE = HertzSphere(METAL, RADIUS)
 
 
 def law_pressing(widening: float, curvature: float) -> Pressing:
-    """A loading that follows the law exactly."""
+    """Return a compression that follows the law exactly."""
     force = np.geomspace(10, 1500, 60)
     excess = np.maximum(force - SPHERE.yield_force, 0)
     radius = np.array([SPHERE.contact_radius(f) for f in force]) + widening * excess
@@ -30,25 +30,27 @@ def law_pressing(widening: float, curvature: float) -> Pressing:
 
 def test_constants_of_a_loading_by_the_law_are_found():
     found = calibrate(law_pressing(2.33e-7, 2.69e-4))
-    # Straight lines through points that lie on them: round-off.
+    # The fitted points lie on straight lines, so only round-off remains.
     assert found.contact_radius_per_force == pytest.approx(2.33e-7, rel=1e-9)
     assert found.curvature_per_force == pytest.approx(2.69e-4, rel=1e-9)
     assert found.contact_radius_error < 1e-9
     assert found.approach_error < 1e-9
-    # The law's own numbers for this sphere, with p_y/sigma_Y = 1.6128: 0.3 % from the paper's 1.61.
+    # The default constants of the law for this sphere. The fit uses p_y/sigma_Y = 1.6128, which
+    # differs by 0.2 % from the 1.61 of the paper.
     assert found.contact_radius_coefficient == pytest.approx(0.0258303, rel=5e-3)
     assert found.curvature_coefficient == pytest.approx(0.00980426, rel=1e-2)
 
 
 def test_coarse_elements_give_the_paper_s_radius(plastic_pressing):
-    """To 1500 N; 2.33e-7 m/N is the paper's, the coarse mesh alone is 5 % off."""
+    """The paper has 2.33e-7 m/N for forces up to 1500 N; the coarse mesh has a relative error of 5
+    %."""
     found = calibrate(plastic_pressing)
     assert found.contact_radius_per_force == pytest.approx(2.33e-7, rel=0.05)
 
 
 def test_law_with_the_paper_s_pair_gives_what_elements_give(plastic_pressing):
-    """At 1500 N, the end of the paper's fit: 0.2 % of approach and 0.8 % of contact radius with the
-    default settings; the coarse mesh adds 2 %."""
+    """At 1500 N, the end of the paper's fit, the law and the default settings differ by 0.2 % in
+    approach and 0.8 % in contact radius. The coarse mesh adds 2 %."""
     force, excess = 1500.0, 1500.0 - SPHERE.yield_force
     radius = SPHERE.contact_radius(force) + 2.33e-7 * excess
     approach = radius**2 / (RADIUS * (1 + 2.69e-4 * excess))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Fields kept of a throw, and as they are drawn."""
+"""Fields saved from a simulated impact, and values for their plots."""
 
 from __future__ import annotations
 
@@ -14,14 +14,15 @@ from plastigran.fem.stepping.snapshot import at_vertices
 
 @pytest.fixture(scope="module")
 def followed():
-    """A throw of which fields are kept, followed for half of Hertz' duration after the contact."""
+    """An impact with saved fields, followed for half of Hertz' contact time after the contact."""
     return throw(METAL, RADIUS, 0.02, attrs.evolve(COARSE, frames=10, free_steps=40))
 
 
 def test_frames_are_spread_over_the_contact(followed):
     times = np.array(list(followed.snapshots))
     assert len(times) >= 10
-    # One each tenth of Hertz' duration, a step of an eightieth late at most.
+    # There is one frame per tenth of Hertz' contact time, at most one step (an eightieth of it)
+    # late.
     assert np.diff(times).max() < 1.2 * times[-1] / (len(times) - 1)
     forces = [frame.force for frame in followed.snapshots.values()]
     assert 0.9 * followed.force_max < max(forces) <= followed.force_max
@@ -32,8 +33,8 @@ def test_corners_move_with_the_centre_of_mass(followed):
     frame = followed.snapshots[max(followed.snapshots)]
     history = followed.history
     approach = np.interp(max(followed.snapshots), history["time"], history["approach"])
-    upper = frame.vertices[:, 1] > RADIUS  # far from the dent
-    # The vibration left in the sphere is some per cent of the way.
+    upper = frame.vertices[:, 1] > RADIUS  # far from the contact
+    # The tolerance [m] covers the remaining vibration, some per cent of the displacement.
     assert -frame.displacement[upper, 1].mean() == pytest.approx(approach, abs=0.5e-6)
 
 
@@ -53,7 +54,8 @@ def test_values_at_corners_stay_within_those_of_the_gauss_points(plastic_pressin
     assert top.mises.min() <= mises.min() < mises.max() <= top.mises.max()
     constant = at_vertices(top, np.full(len(top.mises), 3.0))
     assert constant == pytest.approx(np.full(len(top.vertices), 3.0))
-    # A linear field is off by the way from a corner to its Gauss point: a part of an element.
+    # The error of a linear field is its change from a corner to the Gauss point, within half an
+    # element.
     height = at_vertices(top, top.positions[:, 1])
     longest = np.ptp(top.vertices[top.quads], axis=1).max()
     assert np.abs(height - top.vertices[:, 1]).max() < 0.5 * longest

@@ -16,12 +16,12 @@ from plastigran.fem.theory.hertz import HertzSphere
 
 FORCE, SPEED = 200.0, 0.02
 SOFT = attrs.evolve(ELASTIC, youngs_modulus=40e9, poissons_ratio=0.25)
-STIFF = attrs.evolve(ELASTIC, youngs_modulus=70e14)  # 1e5 times the sphere's
+STIFF = attrs.evolve(ELASTIC, youngs_modulus=70e14)  # 1e5 times as stiff as the sphere
 
 
 @pytest.fixture(scope="module")
 def indentation():
-    """A stiff sphere pressed into a metal, to E*a/(sigma_Y R) = 10."""
+    """A stiff sphere that indents a metal, up to E*a/(sigma_Y R) = 10."""
     return press(STIFF, RADIUS, [1500.0], COARSE, plane=METAL)
 
 
@@ -29,7 +29,7 @@ def indentation():
 def test_elastic_pair_follows_hertz_with_the_modulus_of_both(plane):
     pair = HertzSphere(ELASTIC, RADIUS, plane)
     top = press(ELASTIC, RADIUS, [FORCE], COARSE, plane=plane).unloadings.iloc[0]
-    # The coarse mesh, as on a rigid plane; its edges are a tenth of the contact.
+    # As on a rigid plane, the coarse mesh has edges of a tenth of the contact radius.
     assert top["approach"] == pytest.approx(pair.approach(FORCE), rel=5e-3)
     assert top["contact_radius"] == pytest.approx(pair.contact_radius(FORCE), rel=0.02)
     assert top["coefficient_of_restitution"] == pytest.approx(1, abs=2e-3)
@@ -39,7 +39,8 @@ def test_stiff_half_space_is_a_rigid_plane(elastic_pressing):
     on_stiff = press(ELASTIC, RADIUS, [FORCE], COARSE, plane=STIFF).unloadings.iloc[0]
     on_rigid = elastic_pressing.unloadings.iloc[0]
     for name in ("approach", "contact_radius", "coefficient_of_restitution"):
-        assert on_stiff[name] == pytest.approx(on_rigid[name], rel=1e-4), name  # 1e-5 softer
+        # The stiff half space makes the contact softer by 1e-5.
+        assert on_stiff[name] == pytest.approx(on_rigid[name], rel=1e-4), name
 
 
 def test_forces_on_both_bodies_are_opposite():
@@ -52,7 +53,7 @@ def test_forces_on_both_bodies_are_opposite():
 
 
 def test_half_space_yields_below_its_surface_at_the_force_of_the_sphere():
-    """By symmetry of Hertz' stresses: the same metal, the other body rigid."""
+    """The stresses of Hertz' contact are symmetric, so the yielding body may be the half space."""
     force = 1.15 * HertzSphere(METAL, RADIUS).yield_force
     pair = HertzSphere(STIFF, RADIUS, METAL)
     assert pair.yield_force == pytest.approx(HertzSphere(METAL, RADIUS).yield_force, rel=1e-4)
@@ -65,7 +66,8 @@ def test_half_space_yields_below_its_surface_at_the_force_of_the_sphere():
 
 
 def test_indentation_pressure_is_of_the_order_of_the_expanding_cavity(indentation):
-    """Johnson, Contact Mechanics (1985), sec. 6.3; an estimate, of 15 % here."""
+    """The expanding cavity of Johnson (1985), sec. 6.3, is an estimate; here it errs by up to 15
+    %."""
     top = indentation.unloadings.iloc[0]
     strength = METAL.hardening.yield_strength
     strain = METAL.youngs_modulus * top["contact_radius"] / (RADIUS * strength)
@@ -84,8 +86,8 @@ def test_indentation_leaves_a_dent_and_dissipates(indentation):
 
 
 def test_impact_on_a_half_space_radiates_a_little_energy():
-    """Hunter (1957), J. Mech. Phys. Solids 5:162, for like bodies: 1.04 (v/c)^(3/5) of the energy,
-    c = sqrt(E/rho): an estimate, for a Poisson's ratio of 0.25."""
+    """For equal bodies, Hunter (1957), J. Mech. Phys. Solids 5:162, estimates a loss of 1.04
+    (v/c)^(3/5) of the energy, with c = sqrt(E/rho) and a Poisson's ratio of 0.25."""
     impact = throw(ELASTIC, RADIUS, SPEED, COARSE, plane=ELASTIC)
     sound = np.sqrt(ELASTIC.youngs_modulus / ELASTIC.density)
     lost = 1 - impact.coefficient_of_restitution**2

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Spheres of metals that harden, and of one whose flow stress grows with the rate."""
+"""Spheres of metals that harden, and of a metal whose flow stress grows with strain rate."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ HARDENING = attrs.evolve(METAL, hardening=LinearHardening(STRENGTH, MODULUS))
 
 @pytest.fixture(scope="module")
 def hardened():
-    """Pressed to 1500 N; the finer mesh gives the contact's area within 1 %."""
+    """Compression to 1500 N; the finer mesh gives the contact area within 1 %."""
     settings = attrs.evolve(COARSE, divisions=5, fineness=1.0, growth=1.1)
     return press(HARDENING, RADIUS, [1500.0], settings)
 
@@ -33,9 +33,9 @@ def test_hardening_leaves_less_and_gives_back_more(hardened, plastic_pressing):
 
 
 def test_pressure_collapses_with_an_effective_strength_as_tabor_s(hardened):
-    """With sigma = sigma_Y + 0.2 H a/R and X = (a/a_Y) sigma_Y/sigma the mean pressure over
-    p_Y sigma/sigma_Y is 2.678 - 2.012 (1 + 1.73 (X - 1))^-0.226, a fit to other finite elements
-    within 1.5 %. With sigma_Y in place of sigma it would be 5 % off."""
+    """Let sigma = sigma_Y + 0.2 H a/R and X = (a/a_Y) sigma_Y/sigma. The mean pressure, divided by
+    p_Y sigma/sigma_Y, is 2.678 - 2.012 (1 + 1.73 (X - 1))^-0.226. This fit to other finite elements
+    is accurate to 1.5 %; with sigma_Y instead of sigma, the error would be 5 %."""
     sphere = HertzSphere(METAL, RADIUS)
     yield_radius = sphere.contact_radius(sphere.yield_force)
     yield_pressure = 1.5 * sphere.yield_force / (pi * yield_radius**2)
@@ -46,7 +46,8 @@ def test_pressure_collapses_with_an_effective_strength_as_tabor_s(hardened):
     pressure = loaded["force"] / (pi * radius**2) / (yield_pressure * harder)
     fit = 2.678 - 2.012 * (1 + 1.73 * (radius / yield_radius / harder - 1)) ** -0.226
     assert len(loaded) > 10
-    assert (pressure / fit - 1).abs().max() < 0.025  # of the fit, and 1 % of this mesh
+    # The fit has an error of 1.5 %, and this mesh of 1 %.
+    assert (pressure / fit - 1).abs().max() < 0.025
 
 
 def test_table_of_a_straight_line_presses_as_linear_hardening():
@@ -56,7 +57,8 @@ def test_table_of_a_straight_line_presses_as_linear_hardening():
         for hardening in (HARDENING.hardening, table)
     )
     for name, value in line.items():
-        assert tabulated[name] == pytest.approx(value, rel=1e-6), name  # Newton's residual
+        # Newton's method leaves a relative residual of 1e-6.
+        assert tabulated[name] == pytest.approx(value, rel=1e-6), name
 
 
 def test_table_that_saturates_gives_back_more_than_perfect_plasticity(plastic_pressing):
@@ -69,8 +71,9 @@ def test_table_that_saturates_gives_back_more_than_perfect_plasticity(plastic_pr
 
 
 def test_impact_at_a_rate_is_that_of_a_metal_as_strong_at_that_rate(plastic_throw):
-    """Strains of a hundredth within a millisecond, 1 to 100 per second, raise the flow stress by
-    14 to 18 % of a reference rate of 1e-6 per second; late in the loading the rate falls."""
+    """A strain of 0.01 within a millisecond is a rate of 1 to 100 per second. With a reference rate
+    of 1e-6 per second, it raises the flow stress by 14 to 18 %. The rate falls late in the loading,
+    so the strength of the other metal is 14 % higher."""
     fast = throw(attrs.evolve(METAL, rate=RateFactor(0.01, 1e-6)), RADIUS, 0.02, COARSE)
     strong = attrs.evolve(METAL, hardening=LinearHardening(1.14 * STRENGTH))
     expected = throw(strong, RADIUS, 0.02, COARSE)

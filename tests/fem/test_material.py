@@ -11,7 +11,7 @@ from plastigran.fem.material.elastic_plastic import ElasticPlastic, State
 from plastigran.fem.material.hardening import LinearHardening, RateFactor, TabulatedHardening
 from plastigran.fem.stepping.snapshot import mises_stress
 
-ROUNDING = 1e-9  # of stresses, after a return converged to 1e-13
+ROUNDING = 1e-9  # relative error of stresses; the return to the flow stress converges to 1e-13
 YIELD, MODULUS = 100e6, 2e9
 HARDENINGS = [
     LinearHardening(YIELD),
@@ -26,7 +26,7 @@ def metal(hardening, rate=None):
 
 @pytest.fixture
 def strains():
-    """Strains of some times the yield strain in all directions."""
+    """Strains of several yield strains in all directions."""
     return np.random.default_rng(1).normal(scale=5e-3, size=(200, 4))
 
 
@@ -58,8 +58,9 @@ def test_tangent_is_the_derivative_of_the_stress(hardening, rate, strains):
             material.respond(strains + sign * change, loading, 1e-4).stress for sign in (1, -1)
         )
         slope = ((above - below) / (2 * step))[answer.flowing]
-        # Central differences: step^2 of curvature and round-off of 1e-16 * stress / step. A point
-        # may pass a corner of the table within the step, so a few are let be.
+        # Central differences have an error of step^2 times a curvature plus round-off, 1e-16 *
+        # stress / step. A point may pass a corner of the table within the step, so the limit holds
+        # for 98 % of the points.
         error = (
             np.abs(slope - answer.tangent[:, :, component]).max(axis=1) / material.youngs_modulus
         )

@@ -35,8 +35,8 @@ def body(mesh):
 def test_elements_are_sound(mesh):
     determinants = (basis := Basis(mesh, ElementQuadS2(), intorder=5)).mapping.detDF(basis.X)
     assert np.all(determinants > 0)
-    # Nearly square where rings are as far apart as angles; three to one in the fine zone, and the
-    # Jacobian varies less than that within an element.
+    # Elements are nearly square outside the fine zone. In the fine zone, their sides have a ratio
+    # of up to 3. The Jacobian varies by less than this ratio within an element.
     assert np.min(determinants.min(axis=1) / determinants.max(axis=1)) > 0.3
 
 
@@ -57,12 +57,14 @@ def test_elements_are_fine_where_the_contact_is():
     mesh = SphereMesh(radius=RADIUS, core=CORE, reach=REACH, divisions=4).build()
     ends = np.sort(mesh.p[0][mesh.facets[:, mesh.boundaries["circle"]]], axis=0)
     size = (ends[1] - ends[0])[(ends[1] < REACH) & (ends[0] > CORE)]
-    assert np.all(size < 0.08 * REACH)  # a third of pi/16 of the radius there, and its round-off
+    # An edge is a third of pi/16 of the distance from the axis, plus round-off.
+    assert np.all(size < 0.08 * REACH)
 
 
 def test_mass_is_that_of_the_sphere(body, mesh):
     share = 0.5 if "equator" in mesh.boundaries else 1.0
-    # Edges are parabolas through three points of the circle: elements of 0.4 rad lack 1e-4.
+    # Edges are parabolas through three points of the circle, so elements of 0.4 rad lack 1e-4 of
+    # the mass.
     assert body.mass == pytest.approx(share * 2699 * 4 / 3 * pi * RADIUS**3, rel=2e-4)
 
 
@@ -106,5 +108,5 @@ def test_stiffness_is_the_one_scikit_fem_assembles(mesh, body):
     solution = system.factor([body.elastic_stiffness]).solve(load)
     answered = form.assemble(basis) @ solution
     free = system.free
-    # Round-off times the condition of elements from 1e-5 m to 1e-2 m.
+    # The tolerance is round-off times the condition number for elements from 1e-5 m to 1e-2 m.
     assert_allclose(answered[free], load[free], atol=1e-6)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A sphere pressed on a plane, against Hertz, finer meshes and its own energies.
+"""A sphere compressed on a plane, compared with Hertz, finer meshes and its own energies.
 
-References of the elastic-plastic sphere are this solver's results with its default settings, which
-its convergence table holds within 0.5 %; the coarse mesh and steps of the tests add 1.5 %.
+The reference values of the elastic-plastic sphere are results of this solver with its default
+settings, which are converged to 0.5 %. The coarse mesh and steps of the tests add 1.5 %.
 """
 
 from __future__ import annotations
@@ -33,8 +33,8 @@ def test_elastic_sphere_follows_hertz(elastic_pressing):
     history = elastic_pressing.history
     loaded = history[history["force"] > 50]
     expected = [HERTZ.approach(force) for force in loaded["force"]]
-    # A sphere of finite size is stiffer by up to 0.15 % of the approach at 200 N; the mesh adds as
-    # much again.
+    # At 200 N, the approach of a sphere of finite size is up to 0.15 % smaller; the mesh adds as
+    # much.
     assert_allclose(loaded["approach"], expected, rtol=5e-3)
 
 
@@ -45,16 +45,14 @@ def test_elastic_pressure_is_hertzian(elastic_pressing):
     largest = 1.5 * 200.0 / (np.pi * radius**2)
     expected = largest * np.sqrt(1 - (at_most.radii[inside] / radius) ** 2)
     assert inside.sum() > 5
-    assert_allclose(
-        at_most.pressure[inside], expected, rtol=0.05
-    )  # an edge is a tenth of the contact
+    # An edge of the mesh is a tenth of the contact radius.
+    assert_allclose(at_most.pressure[inside], expected, rtol=0.05)
 
 
 def test_elastic_sphere_gives_all_work_back(elastic_pressing):
     row = elastic_pressing.unloadings.iloc[0]
-    assert row["coefficient_of_restitution"] == pytest.approx(
-        1, abs=2e-3
-    )  # quadrature of ten steps
+    # The error arises from the quadrature of the work over ten steps.
+    assert row["coefficient_of_restitution"] == pytest.approx(1, abs=2e-3)
     assert row["residual_approach"] == pytest.approx(0, abs=2e-3 * row["approach"])
 
 
@@ -71,7 +69,8 @@ def test_work_is_stored_or_dissipated(plastic_pressing):
     energy = history[["elastic_energy", "plastic_work", "penalty_energy"]].sum(axis=1)
     top = history["branch"].eq(0).to_numpy().nonzero()[0][-1]
     work = plastic_pressing.unloadings["work_loading"].iloc[0]
-    assert energy.iloc[top] == pytest.approx(work, rel=0.01)  # backward Euler in steps of 15 %
+    # The relative error of 1 % is that of backward Euler in load steps of 15 %.
+    assert energy.iloc[top] == pytest.approx(work, rel=0.01)
 
 
 def test_pressing_again_retraces_the_unloading(plastic_pressing):
@@ -79,7 +78,7 @@ def test_pressing_again_retraces_the_unloading(plastic_pressing):
     down, again = (history[history["branch"] == branch] for branch in (1, 2))
     retraced = np.interp(down["force"], again["force"], again["approach"])
     upper = down["force"] > 50
-    # Reverse flow within the unloading is small; the rest is interpolation in ten steps.
+    # The 2 % cover little reverse flow during unloading, and interpolation between ten steps.
     assert_allclose(retraced[upper], down["approach"][upper], rtol=0.02)
 
 
@@ -87,7 +86,7 @@ def test_pressing_again_rejoins_the_loading_curve(plastic_pressing):
     at_once = press(METAL, RADIUS, [1500.0], COARSE).unloadings.iloc[0]
     again = plastic_pressing.unloadings.iloc[-1]
     for name in ("approach", "residual_approach", "coefficient_of_restitution"):
-        # 500 N is one more increment on the way; steps of 15 % cost as much.
+        # The stop at 500 N adds a load step; load steps of 15 % cause a similar error.
         assert again[name] == pytest.approx(at_once[name], rel=5e-3), name
 
 
@@ -98,8 +97,10 @@ def test_yield_begins_below_the_surface_at_the_force_of_hertz():
     deepest = strained.positions[np.argmax(strained.plastic_strain)]
     radius = HERTZ.contact_radius(force)
     assert strained.plastic_strain.max() > 0
-    assert deepest[0] < 0.3 * radius  # a Gauss point beside the axis
-    assert deepest[1] == pytest.approx(0.48 * radius, rel=0.35)  # within an element of nu = 0.3
+    # The Gauss points nearest to the axis are beside it, and the tolerance of depth is an element.
+    # For nu = 0.3, the largest stress lies at a depth of 0.48 contact radii.
+    assert deepest[0] < 0.3 * radius
+    assert deepest[1] == pytest.approx(0.48 * radius, rel=0.35)
 
 
 def test_forces_below_yield_leave_nothing():

@@ -55,25 +55,28 @@ def energy(history):
 
 def test_line_contact_is_as_wide_and_deep_as_that_of_hertz(elastic):
     deepest = elastic.history.loc[elastic.history["approach"].idxmax()]
-    # Waves cross the body and come back 70 times while they touch. The edge is found within a few
-    # per cent with these elements; the base is an arc, Johnson's thickness a depth on the axis.
+    # During the contact, waves cross the body 70 times, so the contact is quasi-static. With these
+    # elements, the edge of the contact has an error of some per cent. The base of the body is an
+    # arc, and Johnson's thickness is its depth on the axis.
     assert deepest["half_width"] == pytest.approx(CASE.line.half_width(deepest["force"]), rel=0.03)
     assert deepest["approach"] == pytest.approx(CASE.line.approach(deepest["force"]), rel=0.02)
 
 
 def test_elastic_strike_rebounds_as_hertz(elastic):
-    # Waves in the body, hundreds of times lighter than the cylinder, keep 1e-3 of the speed.
+    # Waves in the body, which is hundreds of times lighter than the cylinder, keep 1e-3 of the
+    # speed.
     assert elastic.coefficient_of_restitution == pytest.approx(1, abs=5e-3)
     force = CASE.line.impact_force(CASE.mass, CASE.speed)
     assert elastic.force_max == pytest.approx(force, rel=0.03)
-    # The spring of secant stiffness is some per cent slower than the logarithm's.
+    # Theory uses a linear spring with the secant stiffness, which is some per cent slower.
     assert elastic.contact_time == pytest.approx(CASE.line.duration(CASE.mass, 0.3), rel=0.05)
 
 
 @pytest.mark.parametrize("kind", ["elastic", "plastic", "oblique"])
 def test_energy_is_kept(kind, request):
     total = energy(request.getfixturevalue(kind).history)
-    # The trapezoidal rule keeps energy of linear systems; contact and flow add this at 40 steps.
+    # The trapezoidal rule conserves energy of linear systems. With 40 steps, contact and plastic
+    # flow cause an error of up to 3e-3.
     assert total.max() / total.min() == pytest.approx(1, abs=3e-3)
 
 
@@ -84,23 +87,25 @@ def test_impulses_of_the_forces_turn_the_momentum(kind, request):
     for force, velocity in (("force", "velocity"), ("drag", "sliding_velocity")):
         values, speeds = (struck.history[name].to_numpy() for name in (force, velocity))
         impulse = np.sum((values[1:] + values[:-1]) / 2 * time)
-        # Forces balance within 1e-5 of the largest nodal one.
+        # The nodal forces balance to 1e-5 of the largest one.
         change = struck.case.mass * (speeds[-1] - speeds[0])
         assert impulse == pytest.approx(change, abs=1e-4 * struck.case.mass * struck.case.speed)
 
 
 def test_friction_takes_its_share_of_the_force_while_all_slides(oblique):
     share = oblique.history["drag"].sum() / oblique.history["force"].sum()
-    # The dent's slope, below a/R = 0.2, turns pressure against the way, too: more than mu F.
+    # The sides of the indentation slope by up to a/R = 0.2. So pressure also acts against the
+    # motion, and the drag exceeds mu F.
     assert 0.98 * FRICTION < -share < FRICTION + 0.05
     assert oblique.history["friction_work"].iloc[-1] > 0
 
 
 def test_a_plastic_strike_leaves_a_dent(plastic):
     assert 0 < plastic.residual_depth < plastic.overlap_max
-    # The cylinder leaves a body that still springs back: some per cent deeper than the dent.
+    # The cylinder leaves before the body has fully recovered, so the overlap at separation is some
+    # per cent larger than the residual depth.
     assert plastic.overlap_res == pytest.approx(plastic.residual_depth, rel=0.1)
-    # 0.12 um: finite elements of Katta and Polycarpou (2010); 0.103 with finer meshes.
+    # Finer meshes give 0.103 um; the finite elements of Katta and Polycarpou (2010) gave 0.12 um.
     assert plastic.residual_depth == pytest.approx(0.103e-6, rel=0.05)
     assert plastic.coefficient_of_restitution == pytest.approx(0.913, abs=0.01)
 
@@ -124,11 +129,11 @@ def test_waves_do_not_come_back_from_a_body_of_no_given_thickness():
     third, given, twice = (
         strike(evolve(CASE, thickness=share * thickness), COARSE) for share in (1 / 3, 1, 2)
     )
-    # Steps and mesh follow the thickness: 7e-4 of the restitution and 2e-3 of the force.
+    # Steps and mesh depend on the thickness, which changes restitution by 7e-4 and force by 2e-3.
     restitution = given.coefficient_of_restitution
     assert twice.coefficient_of_restitution == pytest.approx(restitution, rel=3e-3)
     assert twice.force_max == pytest.approx(given.force_max, rel=5e-3)
-    # A sixth of the energy more is given back where waves return within the contact.
+    # If waves return during the contact, a sixth more of the energy is recovered.
     assert third.coefficient_of_restitution > 1.1 * restitution
 
 
@@ -151,7 +156,8 @@ def test_friction_sticks_then_slides():
     sliding, _, _ = pushed(3e-8, stuck)
     slid, shear, limit = pushed(5e-8, sliding)
     assert shear == pytest.approx(limit)
-    # The pressures of so few points do not balance along the surface: slopes of 0.14 at the edges.
+    # With so few points and slopes of 0.14 at the edges, the pressures do not balance along the
+    # surface.
     assert -slid.drag == pytest.approx(FRICTION * slid.force, rel=0.1)
     assert slid.dissipated == pytest.approx(-slid.drag * 2e-8, rel=0.1)
 
@@ -167,7 +173,7 @@ def test_tangent_of_the_contact_is_its_derivative():
     ahead, behind = (circle.touch(place + sign * change, last).nodal for sign in (1, -1))
     edges = circle.touch(place, last).stiffness @ change[circle.dofs][:, :, None]
     expected = -np.bincount(circle.dofs.ravel(), edges.ravel(), minlength=size)
-    # Points that open or begin to slide within the change are few.
+    # The tolerance covers the few points that open or begin to slide within the change.
     assert (ahead - behind) / 2 == pytest.approx(expected, abs=1e-4 * np.abs(expected).max())
 
 

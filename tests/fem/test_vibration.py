@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""An elastic sphere that is thrown and vibrates, against exact modes, Hertz and conservation."""
+"""Vibrations of an elastic sphere after an impact, compared with exact modes and Hertz."""
 
 from __future__ import annotations
 
@@ -37,7 +37,8 @@ def slow():
 
 @pytest.fixture(scope="module")
 def exact():
-    """Frequencies of the modes a normal impact can excite, up to the highest of the mesh's 12."""
+    """Frequencies of the modes that a normal impact can excite, up to the highest of the 12
+    computed modes."""
     sphere = ICE.youngs_modulus, ICE.poissons_ratio, ICE.density, RADIUS
     return impact_modes(*sphere, highest=270e3)["frequency"].to_numpy()
 
@@ -48,7 +49,7 @@ def energy(history):
 
 
 def test_energy_is_conserved(vibration):
-    # By construction; 1e-8 is what round-off leaves of thousands of steps.
+    # The method conserves energy; round-off of thousands of steps causes a relative error of 1e-8.
     total = energy(vibration.history)
     assert total == pytest.approx(total[0], rel=1e-8)
 
@@ -58,7 +59,8 @@ def test_impulse_of_the_force_turns_the_momentum(vibration):
     mass = 2 * history["kinetic_energy"].iloc[0] / SPEED**2
     impulse = history["force"].sum() * vibration.timestep
     change = (history["velocity"].iloc[-1] + SPEED) * mass
-    assert impulse == pytest.approx(change, rel=1e-8)  # by construction, but for round-off
+    # The method conserves momentum, so only round-off remains.
+    assert impulse == pytest.approx(change, rel=1e-8)
 
 
 def test_plane_pushes_only_and_gives_its_energy_back(vibration):
@@ -69,25 +71,26 @@ def test_plane_pushes_only_and_gives_its_energy_back(vibration):
 def test_energy_left_is_what_the_rebound_lacks(vibration):
     restitution = vibration.coefficient_of_restitution
     assert 1 - restitution**2 == pytest.approx(vibration.vibration_energy, rel=1e-3)
-    # Half of a vibration's energy is kinetic, so the kinetic energy counts it as rebound.
+    # Half of the energy of a vibration is kinetic, so the kinetic energy of the sphere contains it.
     lost = 1 - vibration.kinetic_restitution**2
     assert lost == pytest.approx(vibration.vibration_energy / 2, rel=0.05)
 
 
 def test_less_vibration_is_left_by_a_slower_impact(vibration, slow):
-    # It lasts ten periods of the gravest mode.
+    # The slow impact lasts ten periods of the fundamental mode.
     assert slow.coefficient_of_restitution == pytest.approx(1, abs=1e-5)
     assert slow.coefficient_of_restitution > vibration.coefficient_of_restitution
 
 
 def test_impact_is_that_of_hertz(slow):
-    # A sphere of finite size is stiffer: 0.7 % of the force at a/R = 0.02, as of finer meshes.
+    # A sphere of finite size is stiffer. At a/R = 0.02, the force is 0.7 % larger, also with finer
+    # meshes.
     assert slow.force_max == pytest.approx(HERTZ.force(HERTZ.approach_max(0.1)), rel=0.01)
     assert slow.contact_time == pytest.approx(HERTZ.duration(0.1), rel=0.01)
 
 
 def test_free_vibrations_of_the_mesh_are_those_of_the_sphere(vibration, exact):
-    # The coarse mesh has eight elements over a quarter of the circle: 0.4 % at most.
+    # The coarse mesh has eight elements per quarter of the circle; its error is at most 0.4 %.
     found = vibration.modes["frequency"].to_numpy()
     assert found == pytest.approx(exact[: found.size], rel=0.01)
 
@@ -103,7 +106,8 @@ def test_peaks_of_the_spectrum_are_modes_of_the_sphere(vibration, exact, signal)
 
 
 def test_normal_impact_breathes_and_does_not_twist(vibration):
-    """143.67 kHz is the radial mode, 186.49 kHz the toroidal one of degree 1."""
+    """The impact excites the radial mode, 143.67 kHz, and not the toroidal mode of degree 1, 186.49
+    kHz."""
     found = vibration.peaks("equator_displacement")["frequency"].to_numpy()
     assert np.min(np.abs(found / 143.67e3 - 1)) < 0.01
     assert np.min(np.abs(found / 186.49e3 - 1)) > 0.03
@@ -116,14 +120,15 @@ def test_energies_of_the_modes_are_at_most_what_is_left(vibration):
 
 @pytest.mark.parametrize("kind", ["vibration", "slow"])
 def test_strongest_vibration_is_what_the_pulse_of_the_force_excites(kind, request):
-    """Energy of a mode of unit mass: half the square of the pulse's Fourier integral times the
-    mode's displacement at the contact. The slow impact excites degree 2 most, the fast one 3."""
+    """A mode of unit mass gets half the square of its displacement at the contact times the Fourier
+    integral of the force. The slow impact excites the mode of degree 2 most, the fast impact degree
+    3."""
     found = request.getfixturevalue(kind)
     mode = found.modes.loc[found.modes["energy"].idxmax()]
     time = found.history["time"] - found.timestep / 2
     phase = np.exp(2j * np.pi * mode["frequency"] * time)
     pulse = np.abs(np.sum(phase * found.history["force"])) * found.timestep
-    # The force is not at a point: over a/R = 0.02 and 0.1 this takes and adds some per cent.
+    # The force acts on an area, a/R = 0.02 and 0.1, which changes the energy by some per cent.
     assert mode["energy"] == pytest.approx((mode["contact_displacement"] * pulse) ** 2 / 2, rel=0.1)
 
 
@@ -181,5 +186,6 @@ def test_wide_contact_is_warned_of():
     soft = ElasticPlastic(youngs_modulus=6e6, poissons_ratio=0.25, density=900.0)
     with pytest.warns(SmallStrainWarning, match=r"0\.42 times the radius"):
         found = vibrate(soft, RADIUS, 5.0, 1, COARSE)
-    # 2.2 periods of the gravest mode only: a hundredth of the energy stays in the sphere.
+    # The contact lasts only 2.2 periods of the fundamental mode, so 1 % of the energy stays in the
+    # sphere.
     assert 0.98 < found.coefficient_of_restitution < 0.995

@@ -24,13 +24,13 @@ from shlex import quote
 
 PROJECT = Path(__file__).resolve().parents[2]
 PAGE = PROJECT / "docs" / "first_hour.md"
-#: Changes of the commands in a brief round: patterns and their replacements.
+#: Changes of the commands with --brief: patterns and their replacements.
 BRIEF = {
     r"^\./run setup$": "true",
     r"--ranks 2": "--ranks 1",
     r"layers=9 frames=8": "layers=5 frames=2 orifice=8 duration=0.2 rows=48 filling=0.1",
 }
-#: Network settings of this machine, which the new system needs, too.
+#: Files of this machine with network settings that the new system needs, too.
 NETWORK = ("etc/resolv.conf", "etc/hosts", "etc/pip.conf", "etc/ssl/certs/ca-certificates.crt")
 #: Files that the commands must write.
 RESULTS = (

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Contact dissipation heats particles: compared with the ledger, theory, ranks and restarts."""
+"""Heat from contact dissipation, compared with the energy balance, theory, ranks and restarts."""
 
 from __future__ import annotations
 
@@ -17,21 +17,21 @@ from plastigran.materials import RIGID
 
 DECKS = Path(__file__).parent / "decks"
 LEDGER_DECKS = DECKS.parents[1] / "ledger" / "decks"
-CAPACITY = 900.0  # of the decks' particles [J/kg/K]
+CAPACITY = 900.0  # heat capacity of the particles in the decks [J/kg/K]
 HEATS = ["heat", "hplastic", "hfric", "hwalls", "hstored"]
 EVERY_MODEL = {"tangential": "history", "rolling": "epsd2", "damping": "on"}
-FILE_ERROR = 1e-9  # of the energy: sums in another order
+FILE_ERROR = 1e-9  # relative to the total heat; ranks and restarts add numbers in another order
 
 
 def warm(deck: str, folder: Path, ranks: int = 1, **variables) -> pd.DataFrame:
-    """Run a deck; terms of the ledger and of the heat [J] by output line."""
+    """Run a deck; return the terms of energy balance and heat [J] by line of the log."""
     variables = {"decks": LEDGER_DECKS, "heat_decks": DECKS, **variables}
     run_deck(DECKS / f"{deck}.in", variables, folder, ranks=ranks)
     return read_thermo(folder / "log.liggghts")
 
 
 def temperatures(folder: Path) -> pd.Series:
-    """The temperature rise of the particles [K] by ID, at the last output."""
+    """Return the temperature rise of the particles [K] by ID, at the last output."""
     table = read_dump(folder / "warmth.dump")
     return table[table["step"] == table["step"].max()].set_index("id")["Temp"]
 
@@ -42,7 +42,8 @@ def dissipated(table: pd.DataFrame) -> pd.Series:
 
 @pytest.mark.parametrize("geometry", ["pair", "plane", "mesh", "pushing", "shearing"])
 def test_an_impact_warms_by_its_work(geometry, tmp_path):
-    """All work becomes heat or is stored; 1e-9: the sum of the temperature over the steps."""
+    """All dissipated work becomes heat or is stored. The relative tolerance of heats from
+    temperatures is 1e-9, because temperatures are summed over the steps."""
     end = warm("impact", tmp_path, geometry=geometry, **EVERY_MODEL).iloc[-1]
     work = dissipated(end)
     assert min(end["plastic"], end["viscous"]) > 0.1 * work and end["friction"] > 0.01 * work
@@ -58,9 +59,8 @@ def test_an_impact_warms_by_its_work(geometry, tmp_path):
 
 
 def test_the_rise_of_temperature_is_the_predicted_one(law_between, aluminium, tmp_path):
-    """0.9 of v^2 (1 - e^2) / 2c, with e of the law alone, for any size.
-
-    1e-3: the time step's error of the restitution.
+    """The rise is 0.9 v^2 (1 - e^2) / 2c for any size, with the restitution e of the law. The
+    relative tolerance 1e-3 is the error of restitution due to the time step.
     """
     warm("impact", tmp_path, geometry="plane", tangential="off", slip=0.0, law="thornton")
     law = law_between("thornton", laws.combine(aluminium.body(), RIGID))
@@ -70,9 +70,8 @@ def test_the_rise_of_temperature_is_the_predicted_one(law_between, aluminium, tm
 
 
 def test_equal_bodies_share_the_heat(tmp_path):
-    """Half each, also in a moving frame of reference.
-
-    1e-6: the round-off of positions and velocities differs between the frames.
+    """Each body gets half of the heat, also in a moving frame of reference. The frames agree to
+    1e-6, because the round-off of positions and velocities differs between them.
     """
     warm("impact", tmp_path / "rest", **EVERY_MODEL)
     warm("impact", tmp_path / "drift", common=1.0, **EVERY_MODEL)
@@ -84,7 +83,8 @@ def test_equal_bodies_share_the_heat(tmp_path):
 
 
 def test_the_weaker_body_takes_the_plastic_work(tmp_path):
-    """With its own Taylor-Quinney factor; friction heats both."""
+    """The weaker body takes the plastic work with its Taylor-Quinney factor; friction heats both
+    bodies."""
     table = warm("impact", tmp_path, other_type=2, factors="0.8 0.5", capacity="900 900")
     end, rise = table.iloc[-1], temperatures(tmp_path)
     assert end["hstored"] == pytest.approx(0.2 * end["plastic"], rel=1e-12)
@@ -95,7 +95,7 @@ def test_the_weaker_body_takes_the_plastic_work(tmp_path):
 
 
 def test_heating_changes_no_motion(tmp_path):
-    """Bitwise, with the ledger and without."""
+    """The motion is bitwise identical with heat and energy balance and without both."""
     for case, changes in {
         "none": {"warming": "off", "ledger": "off"},
         "warm": {"warming": "on"},
@@ -108,13 +108,14 @@ def test_heating_changes_no_motion(tmp_path):
 
 @pytest.fixture(scope="module")
 def bed(tmp_path_factory) -> tuple[Path, pd.DataFrame]:
-    """A bed of 80 grains, coming to rest with friction, damping and conduction."""
+    """A bed of 80 grains that comes to rest, with friction, damping and conduction."""
     folder = tmp_path_factory.mktemp("bed")
     return folder, warm("bed", folder)
 
 
 def test_a_bed_warms_by_its_work(bed):
-    """At every output line; 1e-9: the temperatures' sums over steps and grains."""
+    """Heat equals work at every line of the log. The heat of the grains agrees to 1e-9 of its
+    largest value, because temperatures are summed over steps and grains."""
     folder, table = bed
     work = dissipated(table)
     heat = table[HEATS[1:]].sum(axis=1)
@@ -127,7 +128,8 @@ def test_a_bed_warms_by_its_work(bed):
 
 @pytest.mark.parametrize(("ranks", "grid"), [(2, "2 1"), (4, "2 2")])
 def test_ranks_warm_alike(bed, ranks, grid, tmp_path):
-    """Before collisions have multiplied the difference of sums in another order."""
+    """Ranks agree during the first 1000 steps. Later, collisions multiply the round-off of sums in
+    another order."""
     table = warm("bed", tmp_path, ranks, grid=grid, before=1000, after=0)
     table = table[table["run"] == 0]
     whole = bed[1].iloc[: len(table)]
@@ -151,7 +153,7 @@ def test_a_restart_keeps_the_heat(bed, ranks, tmp_path):
 
 
 def run_bed_with(lines: str, folder: Path) -> str:
-    """Run a step of the bed with these lines instead of its heat; the log."""
+    """Run a step of the bed with these lines instead of those for heat; return the log."""
     head = (DECKS / "bed.in").read_text().split("timestep        ${timestep}")[0]
     deck = folder / "changed.in"
     deck.write_text(f"{head}\n{lines}\nrun 1\n")
@@ -159,7 +161,7 @@ def run_bed_with(lines: str, folder: Path) -> str:
 
 
 def test_a_misspelt_factor_is_named(tmp_path):
-    """Its default 0.9 would be used without a message."""
+    """Without the message, the default 0.9 would be used unnoticed."""
     factor = "fix f all property/global taylorQuinneyFaktor peratomtype 0.5"
     log = run_bed_with(factor + "\ninclude ${heat_decks}/warming_on.in", tmp_path)
     message = (

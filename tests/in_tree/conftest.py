@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Build upstream LIGGGHTS in the background of the other tests; its own tests come last."""
+"""Build upstream LIGGGHTS while other tests run; the tests that need it come last."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def in_tree():
     return build.stdout.splitlines()[-1]
 
 
-@pytest.hookimpl(trylast=True)  # of the tests that were selected
+@pytest.hookimpl(trylast=True)  # after tests are selected
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     waiting = [item for item in items if "in_tree" in getattr(item, "fixturenames", ())]
     if not waiting:
@@ -42,7 +42,7 @@ def _begin(config: pytest.Config) -> None:
     build = subprocess.Popen(
         ["nice", "-n", "10", *BUILD],
         stdout=subprocess.DEVNULL,
-        stderr=subprocess.DEVNULL,  # its tests repeat a failed build and quote it
+        stderr=subprocess.DEVNULL,  # tests repeat and quote a failed build
         process_group=0,
     )
 

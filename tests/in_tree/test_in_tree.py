@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Models in LIGGGHTS' source tree: the same results as the plugin, and their installation."""
+"""Models in LIGGGHTS' source tree give the same results as the plugin, and can be installed."""
 
 import re
 import shutil
@@ -32,9 +32,9 @@ COMBINATIONS = len(
         re.MULTILINE,
     )
 )
-# Both programs compile the same files, with other optimization and another layout of LIGGGHTS'
-# data. Round-off may differ, and some 1e4 steps may add it up to 1e-12. A wrong property, history
-# value or combination would change much earlier digits.
+# Relative tolerance. Both programs contain the same files, compiled with other optimization and
+# another layout of LIGGGHTS' data. Round-off may differ, and 1e4 steps may add it up to 1e-12. A
+# wrong property, history value or combination would have a much larger effect.
 TOLERANCE = 1e-12
 
 
@@ -59,7 +59,7 @@ def run_both(in_tree, deck: Path, variables: dict[str, object], folder: Path) ->
     [
         (law, f"{deck}.in")
         for law in MODELS
-        if has_constants(law)  # the decks have no constants of a contact
+        if has_constants(law)  # decks lack constants of contacts
         for deck in IMPACTS[laws.LAWS[law].shape].geometries
     ],
 )
@@ -99,7 +99,7 @@ def test_outputs_are_those_of_the_plugin(in_tree, deck, variables, tmp_path):
     if energy_balance:
         for term in ("plastic", "friction"):
             assert plugin[term].iloc[-1] > 1e-3 * plugin["kinetic"].iloc[0]
-    for name in plugin:  # sums over some hundred steps
+    for name in plugin:  # sums over hundreds of steps
         scale = plugin[name].abs().max()
         allowed = TOLERANCE * plugin["kinetic"].iloc[0] if energy_balance else 1e-9 * scale
         expected = pytest.approx(plugin[name].to_numpy(), rel=1e-9, abs=allowed)
@@ -107,7 +107,7 @@ def test_outputs_are_those_of_the_plugin(in_tree, deck, variables, tmp_path):
 
 
 def test_a_combination_of_any_models_is_that_of_the_plugin(in_tree, tmp_path):
-    """The generic class serves all combinations of models that are not among the usual ones."""
+    """The generic class is used for combinations of models that are not in combinations.txt."""
     deck = TESTS / "conformance/decks/slide.in"
     variables = {"law": "thornton", "spin": -50.0}
     ours, plugin = (
@@ -135,7 +135,7 @@ def install(tree: Path):
 
 
 def contents(tree: Path):
-    """Time and text of every file, by its path in src/."""
+    """Return the time and text of every file by its path in src/."""
     sources = tree / "src"
     return {
         path.relative_to(sources).as_posix(): (path.stat().st_mtime_ns, path.read_text())
@@ -159,7 +159,7 @@ def test_every_model_is_installed(bare_tree):
 
 
 def test_every_include_of_ours_is_installed(bare_tree):
-    """The paths are relative to the including file, because LIGGGHTS' builds have no other."""
+    """Paths are relative to the including file, because builds of LIGGGHTS set no include path."""
     install(bare_tree)
     files = contents(bare_tree)
     included = [
@@ -190,7 +190,7 @@ def test_files_of_an_earlier_version_are_removed(bare_tree):
 
 
 def test_a_model_of_a_fork_with_the_same_name_stays(bare_tree):
-    """It also stays in the list of models to compile."""
+    """The model also stays in the list of models to compile."""
     model = bare_tree / "src/normal_model_stronge.h"
     model.write_text("// of a fork\nNORMAL_MODEL(STRONGE,stronge,77)\n")
     whitelist = bare_tree / "src/style_contact_model_user.whitelist"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Input scripts of LAMMPS: spheres that collide with each other, with a plane and with a region."""
+"""LAMMPS scripts in which spheres collide with each other, with a plane and with a region."""
 
 from __future__ import annotations
 
@@ -16,12 +16,14 @@ from plastigran.materials import Material, read_material
 MATERIAL = read_material("aluminium_zv02")
 RADIUS = 5e-3
 FRICTION = "tangential mindlin_rescale NULL 1.0 0.5"
-#: walton_braun unloads with its loading stiffness if the line gives no other.
+#: Constants in addition to required ones. By default, `walton_braun` unloads as stiffly as it
+#: loads.
 ALSO = {"walton_braun": {"unloading_stiffness": 4e6}}
 
 
 def constants(law: str) -> dict[str, float]:
-    """Return constants that the body lacks; the law is as `thornton` or `thornton adhesion jkr`."""
+    """Return the constants that a body lacks, for a law such as `thornton` or `thornton adhesion
+    jkr`."""
     if law.endswith("adhesion jkr"):
         return {"surface_energy": VALUES["surface_energy"]}
     return required(law) | ALSO.get(law, {})
@@ -32,7 +34,7 @@ def words(values: dict[str, object]) -> str:
 
 
 def body(material: Material = MATERIAL) -> str:
-    """Return the words of a body."""
+    """Return the words of a body for a `pair_coeff` or wall line."""
     values = material.variables()
     first = (values.pop("youngs_modulus"), values.pop("poissons_ratio"))
     values = {name: values[name] for name in ("yield_strength", "yield_pressure_factor")}
@@ -62,7 +64,7 @@ def thermo(log: str) -> pd.DataFrame:
 
 
 def box(half: float, types: int = 1) -> str:
-    """Return the lines before the particles."""
+    """Return the lines that precede the particles."""
     return f"""
         units si
         atom_style sphere
@@ -108,7 +110,7 @@ def rebounds(
         wall: Words of the walls: law and body.
         speeds: Speeds (N,) of each sphere [m/s].
         step, steps: Time step [s] and number of time steps.
-        gap: Distance that each sphere flies first [m].
+        gap: Distance of each sphere from contact at the start [m].
         sideways: Tangential velocity of each sphere, divided by its speed.
         density: Density of the spheres [kg/m^3].
         friction: Words of LAMMPS' tangential model.

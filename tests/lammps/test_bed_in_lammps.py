@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A bed of grains of two materials in LAMMPS: ranks, order of the grains, restart and energy."""
+"""A bed of grains of two materials in LAMMPS, on ranks, after restarts and with energy balance."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def reference(tmp_path_factory) -> tuple[pd.Series, Path]:
     """The last output of the bed on one rank, and the folder with its restart files."""
     folder = tmp_path_factory.mktemp("bed")
     last = bed(folder).iloc[-1]
-    assert last["c_energy[5]"] > 300  # contacts, of which most are beyond yield
+    assert last["c_energy[5]"] > 300  # contacts, most of them beyond yield
     assert last["c_energy[3]"] > 0.2 * last["KinEng"]
     return last, folder
 
@@ -42,14 +42,16 @@ def reference(tmp_path_factory) -> tuple[pd.Series, Path]:
     ],
 )
 def test_ranks_and_order_of_grains_do_not_matter(ranks, variables, reference, tmp_path):
-    """To 1e-8 after 1000 steps: collisions amplify round-off, which is 1e-11 by then."""
+    """After 1000 steps, the results agree to a relative 1e-8; collisions have amplified round-off
+    to 1e-11."""
     last, _ = reference
     assert_allclose(bed(tmp_path, ranks, **variables).iloc[-1][COMPARED], last[COMPARED], rtol=1e-8)
 
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_a_restart_continues_the_contacts(ranks, reference):
-    """From step 900, at which 251 contacts exist; the file alone gives laws and histories."""
+    """The run continues from step 900, with 251 contacts. The restart file contains laws and
+    histories."""
     last, folder = reference
     continued = bed(folder, ranks, **{"from": 900})
     assert_allclose(continued.iloc[-1][COMPARED], last[COMPARED], rtol=1e-8)
@@ -57,9 +59,8 @@ def test_a_restart_continues_the_contacts(ranks, reference):
 
 @pytest.mark.parametrize(("ranks", "newton"), [(1, "on"), (2, "off")])
 def test_energy_is_conserved(ranks, newton, tmp_path):
-    """Kinetic, potential, elastic energy and plastic work, without friction and damping.
-
-    1e-3 of the initial kinetic energy: the target of the energy balance in LIGGGHTS.
+    """Kinetic, potential and elastic energy plus plastic work stay constant without friction and
+    damping. The limit of the error is 1e-3 of the initial kinetic energy, as in LIGGGHTS.
     """
     variables = {
         "models": "tangential linear_nohistory 0 0",

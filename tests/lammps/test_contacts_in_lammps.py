@@ -70,9 +70,9 @@ def pair_of_spheres(
 
 
 def check_balance(table: pd.DataFrame) -> None:
-    """Check kinetic, elastic and surface energy, plastic work and loss by adhesion.
-
-    1e-4 of the kinetic energy: a jump of the force of some percent within a step.
+    """Check the sum of kinetic, elastic and surface energy, plastic work and loss by adhesion. It
+    is constant to a relative 1e-4, because the force of a law may jump by some percent within a
+    step.
     """
     total = table[["KinEng", *ENERGY]].sum(axis=1)
     assert_allclose(total, total[0], rtol=1e-4)
@@ -103,12 +103,12 @@ def test_a_contact_with_adhesion_stretches_until_it_breaks(tmp_path):
     assert -reach < stretched["v_overlap"].min() < -0.5 * reach
     assert (stretched["c_energy[2]"] < 0).all()  # surface energy
     lost = 1 - contact.restitution(0.02) ** 2
-    # 1e-3: the energy of the steps in which the contact forms and breaks.
+    # The relative error 1e-3 arises in the steps in which the contact forms and breaks.
     assert_allclose(table["c_energy[4]"].iloc[-1] / table["KinEng"][0], lost, rtol=1e-3)
 
 
 def test_types_of_one_material_behave_as_one_type(tmp_path):
-    """Also their tangential force: LAMMPS mixes `NULL` to another stiffness."""
+    """The tangential force is the same, too, although LAMMPS mixes `NULL` to another stiffness."""
     line = f"thornton {body()} {FRICTION}"
     tables = [
         pair_of_spheres(tmp_path / str(k), lines, 0.05, 1e-7, 2000)
@@ -120,7 +120,7 @@ def test_types_of_one_material_behave_as_one_type(tmp_path):
 
 
 def test_types_of_two_materials_get_the_law_between_both(tmp_path):
-    """1e-6: the error of the time integration at a fifth of the recommended step."""
+    """Restitution has an error of 1e-6 at a fifth of the recommended time step."""
     other = attrs.evolve(read_material("steel"), density=MATERIAL.density)
     bodies = {1: body(), 2: body(other)}
     own = [f"pair_coeff {k} {k} thornton {words} {FRICTION}\n" for k, words in bodies.items()]
@@ -132,7 +132,7 @@ def test_types_of_two_materials_get_the_law_between_both(tmp_path):
 
 
 def chain(delete: str, folder: Path) -> pd.DataFrame:
-    """Compress a chain of three spheres and release it in part; delete another sphere between."""
+    """Compress a chain of three spheres, delete another sphere, and partly unload the chain."""
     places = 8, 0, 1.9, 3.79
     spheres = numbered([sphere(RADIUS * place, 0, 0, 0) for place in places])
     log = run(
@@ -157,14 +157,15 @@ def chain(delete: str, folder: Path) -> pd.DataFrame:
 
 def test_a_deleted_sphere_leaves_the_contacts_of_others(tmp_path):
     expected = chain("", tmp_path / "none")
-    assert expected["c_energy[1]"].iloc[-1] < 0.95 * expected["c_energy[1]"][0]  # it unloads
+    assert expected["c_energy[1]"].iloc[-1] < 0.95 * expected["c_energy[1]"][0]  # unloading
     assert_allclose(chain("delete_atoms group first compress no", tmp_path / "no"), expected)
     with pytest.raises(EngineError, match="atom IDs have changed since the last run"):
         chain("delete_atoms group first", tmp_path / "yes")
 
 
 def test_a_rigid_body_rebounds_by_the_law(tmp_path):
-    """A clump of two spheres in a row, hit by a third one; 1e-6: the error of the time step."""
+    """A third sphere hits a clump of two spheres in a row. The time step causes an error of
+    1e-6."""
     places = 0, 1.5, -2.0001
     spheres = numbered([sphere(RADIUS * place, 0, 0, 0) for place in places])
     log = run(
@@ -192,7 +193,7 @@ def test_a_rigid_body_rebounds_by_the_law(tmp_path):
 
 
 def test_grains_can_be_poured(tmp_path):
-    """Ranks give the same result before collisions amplify round-off."""
+    """One and two ranks give the same result until collisions amplify round-off."""
     tables = [
         thermo(
             run(

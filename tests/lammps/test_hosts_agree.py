@@ -41,7 +41,8 @@ def write_gas(file: Path) -> None:
 
 @pytest.mark.parametrize("law", ["thornton", "universal"])
 def test_a_cooling_gas_has_the_same_energy(law, tmp_path):
-    """To 1e-8: collisions amplify round-off, where the hosts add forces in another order."""
+    """The energies agree to a relative 1e-8. The hosts add forces in another order, and collisions
+    amplify this round-off."""
     write_gas(tmp_path / "gas.data")
     (tmp_path / "gas.in").write_text(
         f"""
@@ -82,5 +83,5 @@ pair_coeff * *
         )
     )
     energy = liggghts["KinEng"].to_numpy()
-    assert energy[-1] < 0.6 * energy[0]  # by impacts far beyond yield
+    assert energy[-1] < 0.6 * energy[0]  # impacts far beyond yield
     assert_allclose(lammps["KinEng"], energy, rtol=1e-8)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Commands that start LAMMPS, and the input scripts of the project."""
+"""Tests of the commands that start LAMMPS, and of the LAMMPS scripts in inputs/lammps."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The plugin refuses wrong lines in LAMMPS, and warns, before the run starts."""
+"""The LAMMPS plugin refuses wrong lines and prints warnings."""
 
 from __future__ import annotations
 
@@ -83,7 +83,7 @@ def test_units_with_conversion_factors_are_refused(tmp_path):
 
 
 def test_warnings(tmp_path):
-    """A long time step, and an overlap outside of the range of vu_quoc_zhang."""
+    """The log warns of a long time step, and of an overlap outside the range of `vu_quoc_zhang`."""
     log = run(
         tmp_path,
         script(line("vu_quoc_zhang 7e10 0.3 yield_strength 1e8") + "\ntimestep 1e-5\nrun 115"),

@@ -20,12 +20,12 @@ from plastigran.materials import read_material
 
 SPHERE_LAWS = [name for name, law in laws.LAWS.items() if law.shape == "sphere"]
 WITH_ADHESION = ["thornton adhesion jkr", "universal adhesion jkr"]
-SPEEDS = np.array([0.02, 0.04])  # of each sphere [m/s]: 12 and 24 yield speeds
+SPEEDS = np.array([0.02, 0.04])  # speed of each sphere [m/s]: 12 and 24 yield speeds
 GAP = 1e-9  # path of each sphere before contact [m]
 #: Laws whose contact forms and breaks with a jump of the force.
 JUMP_AT_ENDS = ("jkr", "thornton_ning_1998", *WITH_ADHESION)
-#: Recommended time step divided by the time step. The time integration of LAMMPS is of first order
-#: for forces that depend on the velocity, and where the force jumps.
+#: Recommended time step divided by the time step. The time integration of LAMMPS has a first-order
+#: error if the force depends on the velocity, and where the force jumps.
 FINENESS = {"viscoelastic_hertz": 2000, **dict.fromkeys(JUMP_AT_ENDS, 600)}
 
 
@@ -34,7 +34,7 @@ def wall_contact(law: str) -> pg.Contact:
 
 
 def collide(law: str, step: float, folder: Path, **options: float | str) -> dict[str, pd.DataFrame]:
-    """Collide spheres with each other and with rigid walls until they part; see `rebounds`."""
+    """Collide spheres with each other and with rigid walls until they separate; see `rebounds`."""
     contact = wall_contact(law)
     outcome = contact.impact(SPEEDS)
     path = outcome.overlap_max + contact.law.pull_off_distance(RADIUS)
@@ -54,7 +54,7 @@ def test_restitution_follows_the_law(law, declared_jumps, tmp_path):
     expected = {"pair": pair.restitution(2 * SPEEDS), "plane": wall.restitution(SPEEDS)}
     expected["region"] = expected["plane"]
     ends = collide(law, wall.timestep(SPEEDS).min() / FINENESS.get(law, 200), tmp_path)
-    # The error of the time integration at these steps. A jump of the force within a step causes an
+    # Restitution has this error at these time steps. A jump of the force within a step causes an
     # error of first order.
     tolerance = 5e-6 if declared_jumps.get(law) or law in JUMP_AT_ENDS else 1e-7
     for geometry, restitution in expected.items():
@@ -67,7 +67,8 @@ def test_restitution_follows_the_law(law, declared_jumps, tmp_path):
 )
 def test_liggghts_gives_the_same_restitution(law, tmp_path):
     material = attrs.evolve(MATERIAL, dissipative_constant=1e-6, surface_energy=10)
-    """The same start and time step; the hosts round in another order."""
+    """Runs with the same start and time step differ by round-off, because sums have another
+    order."""
     for geometry in ("sphere_wall", "two_spheres"):
         restitution = [
             CentralImpact(law, SPEEDS[0], material, RADIUS, geometry, host=host)
@@ -79,7 +80,7 @@ def test_liggghts_gives_the_same_restitution(law, tmp_path):
 
 
 def test_the_rate_factor_raises_the_yield_strength(tmp_path):
-    """1e-7 is the error of the time integration at this step."""
+    """At this time step, restitution has an error of 1e-7."""
     steel = read_material("steel_1006")
     contact = pg.Contact("thornton", steel, pg.RIGID, radius=RADIUS)
     expected = contact.restitution(SPEEDS)
@@ -94,8 +95,9 @@ def test_the_rate_factor_raises_the_yield_strength(tmp_path):
 def test_oblique_collisions_with_walls_and_between_spheres_agree(tmp_path):
     """Both spheres of a pair move like one at a rigid wall, but their line of centers rotates.
 
-    The angle is tangential speed x duration / radius, 6e-4 at most, and the velocities differ by
-    about twice that. 1.5e-3: set after the first comparison, which gave 8e-4.
+    The angle is tangential speed x duration / radius, at most 6e-4, and the velocities differ by
+    about twice this angle. The relative tolerance 1.5e-3 was set after the first comparison, which
+    gave 8e-4.
     """
     ends = collide("universal", 5e-8, tmp_path, sideways=0.7)
     assert (ends["pair"]["spin"].abs() > 1).all()  # friction acts
@@ -107,8 +109,8 @@ def test_oblique_collisions_with_walls_and_between_spheres_agree(tmp_path):
 def test_friction_is_the_incremental_law(law, tmp_path):
     """LAMMPS' `mindlin_rescale/force`, with the stiffness that the plugin derives for `NULL`.
 
-    5e-5: the error of the integration in Python at a twelfth of the recommended time step; errors
-    of 1e-5 were seen before the tolerance was set.
+    The relative tolerance 5e-5 is the error of the integration in Python at a twelfth of the
+    recommended time step. It was set after a first comparison, which gave 1e-5.
     """
     ends = collide(
         law, 2e-9, tmp_path, sideways=0.7, friction="tangential mindlin_rescale/force NULL 0.0 0.3"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-//
-// Laws that attract, on random paths with separation and a second touch.
+// Adhesive laws, on random paths with separation and new contact.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -18,7 +17,7 @@ using namespace plastigran;
 namespace {
 constexpr double radius = 2.5e-6;  // [m]
 
-// Fine powder: adhesion alone nearly yields it.
+// Fine powder, in which adhesion alone nearly causes yield.
 const MaterialPair powder = combine({1.2e9, 0.3, 2.2e7, 1.6}, {1.8e11, 0.3, 1e30});
 
 template <class Law>
@@ -63,7 +62,7 @@ struct RandomOverlaps {
   double operator()() { return std::pow(10, -5 * unit(random)) * 0.05 * radius; }
 };
 
-// A step is random in length and direction; a tenth of the paths separate the bodies.
+// Steps have random length and direction; a tenth of them separate the bodies.
 TEST_CASE_TEMPLATE("plastic work never falls on a million random steps", Law, Jkr, ThorntonNing1998,
                    Luding2008, Edinburgh2014, WRAPPED) {
   std::mt19937 random(7);
@@ -82,7 +81,8 @@ TEST_CASE_TEMPLATE("plastic work never falls on a million random steps", Law, Jk
       largest = std::max(largest, response.elastic_energy + response.plastic_work);
       formed += response.contact_radius > 0 && !touching;
       touching = response.contact_radius > 0;
-      // 1e-13: plastic work is a difference of works.
+      // The tolerance is 1e-13 of the largest energy, because plastic work is a difference of
+      // energies.
       REQUIRE(response.plastic_work >= work - 1e-13 * largest);
       REQUIRE(response.surface_energy <= 0);
       REQUIRE(response.elastic_energy >= -1e-13 * largest);
@@ -92,7 +92,8 @@ TEST_CASE_TEMPLATE("plastic work never falls on a million random steps", Law, Jk
   }
 }
 
-// What a contact holds when it forms was released; what it holds when it breaks is lost.
+// Forming a contact releases energy, so its first energy is negative. The energy of a contact that
+// breaks is lost, so it is positive.
 TEST_CASE_TEMPLATE("a contact that forms or breaks loses energy", Law, Jkr, ThorntonNing1998,
                    Luding2008, Edinburgh2014, WRAPPED) {
   for (const auto& constants : cases<Law>()) {
@@ -108,9 +109,10 @@ TEST_CASE_TEMPLATE("a contact that forms or breaks loses energy", Law, Jkr, Thor
   }
 }
 
-// While the bodies are in contact, the work of the force is the growth of the energies. 1e-5: the
-// trapezoidal rule on 4000 steps, whose error is largest near pull-off, where the slope is
-// infinite. 3e-3 where the force of first loading jumps: the rule misses half a step of the jump.
+// While the bodies are in contact, the energies grow by the work of the force. The tolerance is
+// 1e-5 of the largest energy: the trapezoidal rule with 4000 steps has its largest error near
+// pull-off, where the slope is infinite. If the force of first loading jumps, it is 3e-3, because
+// the rule misses half a step of the jump.
 TEST_CASE_TEMPLATE("energies grow by the work of the force", Law, Jkr, ThorntonNing1998, Luding2008,
                    Edinburgh2014, WRAPPED) {
   std::mt19937 random(9);
@@ -164,8 +166,8 @@ TEST_CASE("without adhesion Thornton & Ning's law is Thornton's, without yield i
   }
 }
 
-// Without adhesion, the law is unchanged: to the error of its table, 3e-14 of each quantity, and
-// the round-off of its unloading.
+// Without adhesion, the law differs only by the error of its table, 3e-14 of each quantity, and by
+// round-off during unloading.
 TEST_CASE_TEMPLATE("a law with a surface energy of zero is the law", Law, VuQuocZhang, Thornton,
                    Stronge, JacksonGreen, Ghaednia, Ghaednia2019, KogutEtsion, KogutKomvopoulos,
                    YeKomvopoulos, Brake2012, Brake2015, Universal) {
@@ -207,8 +209,8 @@ TEST_CASE_TEMPLATE("without yield a law with adhesion is JKR", Law, WRAPPED) {
   }
 }
 
-// Just below the sticking energy the bodies stick, and just above they rebound. 1e-6: relative
-// distance from the energy, far above round-off.
+// Just below the sticking energy the bodies stick, and just above it they rebound. The relative
+// distance from this energy, 1e-6, is far above round-off.
 TEST_CASE_TEMPLATE("the sticking energy separates sticking from rebound", Law, Jkr, Edinburgh2014) {
   typename Law::Parameters constants;
   if constexpr (std::is_same_v<Law, Jkr>) {

@@ -16,15 +16,15 @@ def test_pair_is_the_same_in_either_order():
     assert one.yield_pressure == 1e8 * laws.hertz_yield_pressure_factor(0.33)
     assert one.poissons_ratio == 0.33
     assert one.youngs_modulus == 7e10
-    # What the weaker body brings beside its strength.
+    # The pair also gets these constants from the weaker body.
     rated = laws.Body(7e10, 0.33, 1e8, tangent_modulus=1e9, rate_coefficient=0.02, reference_rate=3)
     pair = laws.combine(hard, rated)
     assert pair == laws.combine(rated, hard)
     assert (pair.tangent_modulus, pair.rate_coefficient, pair.reference_rate) == (1e9, 0.02, 3)
-    # The same yield pressure made two ways: still one answer.
+    # Two bodies with the same yield pressure also give a pair that does not depend on their order.
     tied = laws.Body(7e10, 0.2, 8e7, 2.0), laws.Body(7e10, 0.3, 1e8, 1.6)
     assert laws.combine(*tied) == laws.combine(*tied[::-1])
-    for other in (laws.Body(2e11, 0.33, 1e8), rated):  # of the same yield pressure as `soft`
+    for other in (laws.Body(2e11, 0.33, 1e8), rated):  # same yield pressure as `soft`
         assert laws.combine(soft, other) == laws.combine(other, soft)
 
 
@@ -33,7 +33,8 @@ def test_pair_is_the_same_in_either_order():
     [(0.25, 1.554347), (0.30, 1.612797), (0.35, 1.674110), (0.40, 1.738481)],
 )
 def test_yield_pressure_factor(poissons_ratio, factor):
-    """Hertz-von Mises onset, by maximising the shear on the axis to seven digits."""
+    """The factors follow from the largest von Mises stress on the axis of Hertz' contact, computed
+    to seven digits."""
     assert laws.hertz_yield_pressure_factor(poissons_ratio) == pytest.approx(factor, rel=5e-7)
 
 

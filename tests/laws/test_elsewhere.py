@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The laws' headers in another project's tree: a copy of the folder and one -I are all it takes."""
+"""Another project can use the headers of the laws with a copy of the folder and one -I option."""
 
 from __future__ import annotations
 
@@ -27,7 +27,8 @@ int main() {
 
 @pytest.fixture
 def force(tmp_path):
-    """Compiles and runs a program of theirs that unloads a contact by a law, for its force."""
+    """Compiles and runs a program of another project, which prints the force of a law on
+    unloading."""
     theirs = tmp_path / "their project"
     shutil.copytree(PROJECT / "contact_models" / "plastigran", theirs / "plastigran")
 
@@ -53,13 +54,13 @@ def expected(law: str) -> float:
 
 def test_a_program_of_another_project_uses_a_law(force):
     found = force("kogut_etsion", "KogutEtsion")
-    assert found == pytest.approx(expected("kogut_etsion"), rel=1e-13)  # theirs is not optimised
+    # The program is compiled without optimization, so round-off differs.
+    assert found == pytest.approx(expected("kogut_etsion"), rel=1e-13)
 
 
 def test_the_law_of_the_page_on_adding_one_compiles_and_is_thorntons(force):
     page = (PROJECT / "docs" / "add_a_law.md").read_text()
     header = re.search(r"```cpp\n(.*?)```", page, re.DOTALL)[1]
     found = force("constant_pressure", "ConstantPressure", header)
-    assert found == pytest.approx(
-        expected("thornton"), rel=1e-12
-    )  # the same law, another round-off
+    # The page computes the same law in another order, so round-off differs.
+    assert found == pytest.approx(expected("thornton"), rel=1e-12)

@@ -20,14 +20,14 @@ bool guarded() {
   return false;
 }
 
-// Constants to test a law with between two bodies: its defaults, each other reading, and for each
-// constant without a default values over its range.
+// Constants with which a law is tested between two bodies: its defaults, each choice of each
+// option, and a range of values for constants without a default.
 template <class Law>
 std::vector<typename Law::Parameters> cases([[maybe_unused]] const MaterialPair& pair) {
   typedef typename Law::Parameters Parameters;
   std::vector<Parameters> found(1);
   if constexpr (std::is_base_of_v<Brake2012Curve, Law> || std::is_base_of_v<Brake2015Curve, Law>)
-    // Above the lower limit 2/3 p_y by a factor that comes close to 1.
+    // Values that exceed the lower limit 2/3 p_y by a relative 1e-6 or more.
     for (double above = 1e-6; above < 10; above *= 8) {
       found.emplace_back();
       found.back().indentation_pressure = 2.0 / 3.0 * (1 + above) * pair.yield_pressure;
@@ -46,7 +46,7 @@ std::vector<typename Law::Parameters> cases([[maybe_unused]] const MaterialPair&
   return found;
 }
 
-// The overlap at which a contact of R* = 1 m yields.
+// Returns the overlap at which a contact of R* = 1 m yields [m].
 template <class Law>
 double yield_overlap(const Law& law) {
   double low = 1e-30, high = 1e3;
@@ -62,7 +62,8 @@ double yield_overlap(const Law& law) {
   return high;
 }
 
-// Overlaps over the one at yield: close to it, and over the range where formulas change.
+// Returns overlaps divided by the overlap at yield: close to yield, and in the range in which
+// formulas change.
 std::vector<double> overlaps() {
   std::vector<double> all;
   for (double beyond = 1e-14; beyond < 1e-3; beyond *= 2) all.push_back(1 + beyond);
@@ -78,16 +79,16 @@ TEST_CASE("the laws whose fits can lose plastic work are guarded") {
   REQUIRE(guarded<Brake2012>());
 }
 
-// The strengths go up to what a solid can have, a third of the modulus; their steps are small where
-// the dip of a law vanishes. 1e-12: the plastic work is the difference of two works, of which
-// tables keep 3e-14 each.
+// The strengths go up to a third of the modulus, the most that a solid can have. Their steps are
+// small where the decrease of plastic work of a law vanishes. The tolerance is 1e-12 of the loading
+// work: plastic work is a difference of two works, which tables keep to 3e-14.
 TEST_CASE_TEMPLATE("the energy guard lets no plastic work fall", Law, ALL_LAWS) {
   if constexpr (std::is_same_v<typename Law::State, LargestOverlap::State>) {
     int tested = 0;
     const std::vector<double> path = overlaps();
     for (double decade = -6; guarded<Law>() && decade < -0.5; decade += decade < -3 ? 1 : 0.05)
       for (const double poissons_ratio : {0.0, 0.3, 0.5}) {
-        const double strength = std::pow(10, decade);  // over the modulus
+        const double strength = std::pow(10, decade);  // divided by the modulus
         const Body body{7e10, poissons_ratio, 7e10 * strength};
         const MaterialPair pair = combine(body, {1e30, 0.3, 1e30});
         for (const typename Law::Parameters& constants : cases<Law>(pair)) {

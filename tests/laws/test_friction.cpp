@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-//
-// Tangential laws: the exact solution of elastic contacts, energy, Coulomb's limit and rotation.
+// Tests of the tangential laws: exact solution of elastic contacts, energy, Coulomb's limit,
+// rotation.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -50,8 +50,9 @@ class RandomMotion {
   std::array<double, 5> amplitude_, frequency_, phase_;
 };
 
-// Memory diagram of a Hertzian contact, F = z^(3/2), on a grid of z, in two tangential dimensions.
-// An independent solution: the shares stand on a grid, and every step searches it from the edge.
+// Independent solution: memory diagram of a Hertzian contact with F = z^(3/2), in two tangential
+// dimensions. z is 1 at the reference load. Each cell of a grid of z stores its tangential
+// traction, and each step searches the cells from the edge of the contact.
 class DenseDiagram {
  public:
   static constexpr int cells = 8000;
@@ -81,7 +82,8 @@ class DenseDiagram {
 
  private:
   void slip(double x, double y) {
-    const auto excess = [&](int k, double part, double above) {  // with a part of cell k
+    // Returns the excess over Coulomb's limit if a part of cell k slips.
+    const auto excess = [&](int k, double part, double above) {
       return std::hypot(x + part * compliance_ * x_[k], y + part * compliance_ * y_[k]) -
              friction * compliance_ * (above + part);
     };
@@ -107,7 +109,7 @@ class DenseDiagram {
   std::vector<double> x_, y_;
 };
 
-// One random path of a contact with a law of each kind.
+// Result of a random path of a contact with a normal and a tangential law.
 struct PathResult {
   double least_work = 0, work = 0, largest_energy = 0, largest_ratio = 0;
 };
@@ -127,7 +129,7 @@ PathResult follow_random_path(const Tangential& tangential, unsigned seed, doubl
   double sx = 0, sy = 0, turned = 0;
   for (int step = 0; step < steps; ++step) {
     const double time = duration * step / steps;
-    const double growth = 1 + 0.3 * time / duration;  // yields again and again
+    const double growth = 1 + 0.3 * time / duration;  // yields repeatedly
     const double overlap = mean_overlap * growth * (1 + 0.05 * depth(time));
     const Response response = normal_law.respond(radius, overlap, normal_state);
     const NormalLoad load{std::max(0.0, response.force),
@@ -174,8 +176,8 @@ TEST_CASE("partial slip with many rings is the dense memory diagram of an elasti
       const auto answer = law.respond({std::pow(z, 1.5), 1.5 * std::sqrt(z) / compliance},
                                       {{dx, dy, 0}, {0, 0, 1}, 0}, state);
       const auto expected = reference.force();
-      // Relative to Coulomb's limit at z = 1. The grid errs by 5e-7 where the edges of several
-      // rings fall into one of its cells.
+      // The difference is divided by Coulomb's limit at the reference load, z = 1. The grid of the
+      // reference has an error of 5e-7 where the edges of several rings lie in one cell.
       REQUIRE(std::abs(answer.force.x - expected[0]) < 1e-6 * friction);
       REQUIRE(std::abs(answer.force.y - expected[1]) < 1e-6 * friction);
     }
@@ -184,8 +186,9 @@ TEST_CASE("partial slip with many rings is the dense memory diagram of an elasti
 
 TEST_CASE_TEMPLATE("friction never creates energy, and Coulomb's limit holds", Normal, Hertz,
                    Thornton, Universal, Mdr, KogutEtsion) {
-  // Errors of one step over the largest stored energy. The trapezoidal rule has an error of third
-  // order in the step, and a merger of rings changes the force by a small part within a step.
+  // The tolerance of the friction work of a step is relative to the largest stored energy. The
+  // trapezoidal rule has an error of third order in the step, and merging rings change the force
+  // slightly within a step.
   const auto check = [](const auto& law, double tolerance) {
     for (unsigned seed = 0; seed < 10; ++seed)
       for (const double amplitude : {0.3, 2.0}) {
@@ -202,7 +205,8 @@ TEST_CASE_TEMPLATE("friction never creates energy, and Coulomb's limit holds", N
 }
 
 TEST_CASE_TEMPLATE("few rings have the friction of many", Normal, Hertz, Thornton) {
-  // Sums over paths of different amplitudes. test_laws -s prints the table of docs/friction.md.
+  // Sums of the friction work over paths of different amplitudes. `test_laws -s` prints the table
+  // of docs/friction.md.
   struct Sum {
     double work = 0, least_work = 0;
   };
@@ -224,7 +228,7 @@ TEST_CASE_TEMPLATE("few rings have the friction of many", Normal, Hertz, Thornto
     CAPTURE(few.least_work);
     CHECK(ratio == doctest::Approx(1).epsilon(tolerance));
   }
-  // Set after the first run, which gave 1.20 and 1.15.
+  // The tolerance was set after the first run, which gave the ratios 1.20 and 1.15.
   const Sum incremental = sum(Incremental(friction));
   CAPTURE(incremental.least_work);
   CHECK(incremental.work / exact == doctest::Approx(1).epsilon(0.3));

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The laws' headers as another project finds them once they are installed."""
+"""Another project can use the installed headers of the laws."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def install(component: str, prefix: Path) -> None:
 
 @pytest.fixture(scope="module")
 def prefix(tmp_path_factory) -> Path:
-    """Where the headers are installed; a path with a space."""
+    """Folder of the installed headers, whose path has a space."""
     folder = tmp_path_factory.mktemp("installed") / "a prefix"
     install("laws", folder)
     return folder
@@ -45,7 +45,7 @@ def test_the_example_project_finds_and_uses_them(prefix, tmp_path):
     found = pd.read_csv(io.StringIO(program.stdout))
     ball = pg.Contact("universal", "steel", pg.RIGID, radius=5e-3)
     expected = ball.law.central_impact(ball.radius_eff, ball.mass_eff, found["speed"].to_numpy())
-    # The program is not optimised: the last digits differ.
+    # The program is compiled without optimization, so round-off differs.
     assert found["coefficient_of_restitution"].to_numpy() == pytest.approx(
         expected.coefficient_of_restitution, rel=1e-9
     )
@@ -70,7 +70,7 @@ def test_plugin_and_launcher_run_from_where_they_are_installed(tmp_path, monkeyp
     assert str(tmp_path / "opt/lib/libplastigran.so") in loaded.stdout.replace("bin/../", "")
     runs = pg.collide("thornton", 0.1, "steel", radius=5e-3)
     (row,) = runs.table.to_dict("records")
-    # The recommended time step is for 1e-3.
+    # The recommended time step allows an error of restitution of 1e-3.
     assert row["coefficient_of_restitution"] == pytest.approx(
         row["coefficient_of_restitution_predicted"], rel=1e-3
     )

@@ -18,7 +18,7 @@ using namespace plastigran;
 namespace {
 const MaterialPair aluminium = combine({7e10, 0.3, 1e8, 1.61}, {1e30, 0.3, 1e30, 1.61});
 
-// A law's defaults, and small values for the constants that have none.
+// Returns the defaults of a law, and small values for constants without a default.
 template <class Law>
 typename Law::Parameters defaults() {
   typename Law::Parameters constants;
@@ -28,8 +28,8 @@ typename Law::Parameters defaults() {
   return constants;
 }
 
-// Constants that Vu-Quoc-Zhang's law admits: one coefficient of a number of decades from 10^lowest
-// on, the other more often small than large.
+// Returns valid random constants of Vu-Quoc-Zhang's law. One coefficient is spread over a number of
+// decades above 10^lowest; the other is more often small than large.
 VuQuocZhang::Parameters random_admissible(std::mt19937& random, double lowest, double decades) {
   std::uniform_real_distribution<double> unit(0, 1);
   VuQuocZhang::Parameters constants;
@@ -60,7 +60,7 @@ TEST_CASE_TEMPLATE("a law's state can be stored as plain doubles", Law, ALL_LAWS
 }
 
 TEST_CASE_TEMPLATE("the state of a new contact is zero", Law, ALL_LAWS) {
-  // The engine hands out zeroed history and zeroes it when a contact ends.
+  // LIGGGHTS sets the history to zero when a contact begins and when it ends.
   if constexpr (Law::state_names.size() > 0) {
     const typename Law::State state;
     const unsigned char zeros[sizeof state] = {};
@@ -68,7 +68,7 @@ TEST_CASE_TEMPLATE("the state of a new contact is zero", Law, ALL_LAWS) {
   }
 }
 
-// A host copies tables byte by byte, to a device too.
+// A host copies tables byte by byte, for example to a GPU.
 TEST_CASE_TEMPLATE("a law's table is trivially copyable", Law, ALL_LAWS) {
   static_assert(std::is_trivially_copyable_v<Law>);
   const Law law(aluminium, defaults<Law>());
@@ -100,7 +100,7 @@ TEST_CASE_TEMPLATE("asking twice changes nothing, bit for bit", Law, ALL_LAWS) {
   }
 }
 
-// The engine's account of plastic work asks a law for it at no overlap.
+// The energy balance reads the plastic work at zero overlap.
 TEST_CASE_TEMPLATE("plastic work is the state's, at any overlap", Law, ALL_LAWS) {
   const Law law(aluminium, defaults<Law>());
   std::mt19937 random(2);
@@ -158,7 +158,7 @@ TEST_CASE("Vu-Quoc-Zhang's Newton iteration converges for every admissible const
     const VuQuocZhang::Parameters constants = random_admissible(random, -4, 5);
     const VuQuocZhang law(aluminium, constants);
     const double ca = constants.contact_radius_coefficient, kc = constants.curvature_coefficient;
-    // Pick the root, then look for it from anywhere between yield and itself.
+    // Choose the root, then search for it from a random start between yield and the root.
     const double root = 1 + std::pow(10, -6 + 9 * unit(random));
     const double u = root * root * root - 1, radius = root + ca * u;
     const double x = radius * radius / (1 + kc * u);
@@ -189,8 +189,9 @@ TEST_CASE(
 }
 
 TEST_CASE("the cylinder laws' Lambert function is the root wherever they ask") {
-  // From 2 - ln 2, where the tangent takes over, to the logarithm of any ratio of doubles. w - ln w
-  // is found again to rounding; its slope there is 1/2 or more, so w is as exact.
+  // t ranges from 2 - ln 2, below which the law continues by its tangent, to the logarithm of any
+  // ratio of doubles. The root solves w - ln w = t to round-off. The slope of w - ln w is 1/2 or
+  // more there, so w is accurate, too.
   for (double t = 2 - std::log(2.0); t < 1500; t *= 1.001) {
     const double w = lambert_root(t);
     REQUIRE(w > 1);
@@ -200,8 +201,8 @@ TEST_CASE("the cylinder laws' Lambert function is the root wherever they ask") {
 
 TEST_CASE_TEMPLATE("a cylinder law's work lost grows at any thickness", Law, LimStronge,
                    KattaPolycarpou) {
-  // The bodies' thickness over the radius sets how much more than was put in the published rebound
-  // returns; the guard must hold from thick bodies to ones far too thin for the law.
+  // The published rebound may release more energy than loading took, by an amount that depends on
+  // the thickness of the bodies. The energy guard must prevent this for any thickness.
   for (double thickness = 1e-8; thickness < 1e6; thickness *= 10) {
     const Law law(aluminium, {1, thickness, 1});
     typename Law::State state;
@@ -217,7 +218,7 @@ TEST_CASE_TEMPLATE("a cylinder law's work lost grows at any thickness", Law, Lim
 }
 
 TEST_CASE("a table is its functions, with their kinks and jumps, named or not") {
-  // A power, a function with a kink that nobody names, and one that jumps at 6.
+  // A power, a function with a kink that the table is not told of, and a function that jumps at 6.
   const auto functions = [](double x) {
     return std::array{std::pow(x, 1.425), std::min(std::sqrt(x), 1.7), x <= 6 ? std::log(x) : 2.0};
   };

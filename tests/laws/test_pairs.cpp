@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-//
-// The table of type pairs as a host uses it, without any host.
+// The table of type pairs, used as by a host.
 #include <doctest/doctest.h>
 
 #include <string>
@@ -22,7 +21,7 @@ namespace {
 
 const Body aluminium{7e10, 0.3, 1e8, 1.61}, steel{2.1e11, 0.3, 3e8}, elastic{5e9, 0.2};
 
-// Three types: aluminium, steel, and one that never yields.
+// Returns the bodies of three types: aluminum, steel, and a body that never yields.
 Materials three_types() {
   Materials materials;
   materials.bodies = {aluminium, steel, elastic};
@@ -107,19 +106,20 @@ TEST_CASE("a constant of bodies is the larger of two, and refused where neither 
   CHECK(pairs(1, 2).refusal.empty());
   CHECK(pairs(2, 2).lacking);
   CHECK(pairs(2, 2).refusal.text().find("body_thickness is 0; it must be between") == 0);
-  CHECK(refusal({}, {{2, 2}}, pairs).empty());  // they may never meet
+  CHECK(refusal({}, {{2, 2}}, pairs).empty());  // the types may never meet
   CHECK_FALSE(refusal({{2, 2, 0.01, 0.1, 0.1}}, {}, pairs).empty());
   materials.constants["cylinder_length"] = {0.5, -1, 0};
   CHECK(complaint_of<LimStronge>(materials).find("cylinder_length is -1; it must be between") == 0);
 }
 
-// Kogut & Etsion's law is good for 110 yield overlaps. A contact that passes the end counts once.
+// Kogut & Etsion's law is valid up to 110 overlaps at yield. A contact that exceeds them counts
+// once.
 TEST_CASE("a contact is counted where it leaves the range for the first time") {
   TypePairs<KogutEtsion> pairs = table<KogutEtsion>(three_types());
   const TypePair<KogutEtsion>& pair = pairs(1, 1);
   RangeAccount account;
   KogutEtsion::State state;
-  for (const double depth : {0.5, 0.9, 1.1, 1.3, 0.4, 1.2, 1.4}) {  // over the range
+  for (const double depth : {0.5, 0.9, 1.1, 1.3, 0.4, 1.2, 1.4}) {  // overlap / range
     const double overlap = depth * pair.range * 0.01, closing = 0.2 * pair.range * 0.01;
     const KogutEtsion::State before = state;
     pair.law.respond(0.01, overlap, state);
@@ -152,7 +152,8 @@ TEST_CASE("the fastest impact asks for the step, and says whether it leaves the 
   CHECK(times.hertz == hertz_duration(0.01, 0.1, pairs(1, 1).bodies.youngs_modulus_eff, 50));
 }
 
-// Two grains of type 1 fly side by side, one of type 2 comes towards them, type 3 is a wall.
+// Two grains of type 1 move in parallel, a grain of type 2 moves towards them, and type 3 is a
+// wall.
 TEST_CASE("the forecast has the fastest meeting of each two types") {
   std::vector<TypeExtremes> types(3);
   const double forward[3] = {2, 0, 0}, slower[3] = {1.5, 0, 0}, back[3] = {-1, 0, 0};

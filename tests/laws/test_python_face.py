@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The laws as Python has them: arrays of any shape, reprs, pickles, types for editors."""
+"""The Python interface of the laws: arrays of any shape, reprs, pickles, types for editors."""
 
 from __future__ import annotations
 
@@ -120,7 +120,7 @@ def test_force_driven_form_takes_arrays():
 
 
 def test_histories_move_on_one_for_each_contact(law):
-    """What one call has reached the next one finds, for a lone contact and for one of many."""
+    """A call updates the history for the next call, for a single contact and for an array."""
     one, many = law.State(), [law.State(), law.State()]
     law.respond(RADIUS, 1e-5, one)
     law.respond(RADIUS, [1e-5, 2e-5], many)
@@ -202,7 +202,7 @@ def public(names) -> set[str]:
 
 
 def declared(body: list[ast.stmt]) -> dict[str, ast.stmt]:
-    """Public names a stub gives a module or class."""
+    """Return the public names that a stub declares in a module or class."""
     found = {}
     for node in body:
         if isinstance(node, ast.FunctionDef | ast.ClassDef):

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-//
-// Laws at the rate factors of contacts: no table is built for a factor.
+// Laws at the rate factors of contacts. No table is built for a factor during a run.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -14,7 +13,7 @@
 using namespace plastigran;
 
 namespace {
-std::size_t allocated = 0;  // bytes, by this program so far
+std::size_t allocated = 0;  // bytes that this program has allocated so far
 }
 
 [[gnu::noinline]] void* operator new(std::size_t size) {
@@ -40,7 +39,7 @@ typename Law::Parameters defaults() {
 }
 }  // namespace
 
-// Impacts over nine decades of speed, 1700 factors.
+// Impacts over nine decades of speed, with 1700 different factors.
 TEST_CASE_TEMPLATE("a pair needs less than 200 kB for all rate factors", Law, ALL_LAWS) {
   const std::size_t before = allocated;
   const TypePair<Law> pair(metal(0.02), defaults<Law>());
@@ -54,7 +53,7 @@ TEST_CASE_TEMPLATE("a pair needs less than 200 kB for all rate factors", Law, AL
   CHECK(allocated == built);
 }
 
-// A restart file may bring factors to a deck without a rate coefficient.
+// A restart file may contain factors although the deck has no rate coefficient.
 TEST_CASE_TEMPLATE("a pair without a rate coefficient has no tables, and answers at any factor",
                    Law, ALL_LAWS) {
   const TypePair<Law> pair(metal(0), defaults<Law>());
@@ -65,10 +64,11 @@ TEST_CASE_TEMPLATE("a pair without a rate coefficient has no tables, and answers
   });
 }
 
-// Loading, unloading to no overlap, and loading further, of both and up to the end of the range.
-// Errors are in units of the largest values. 1e-12: the same formulas in another order. 1e-3, and
-// 5e-3 for overlaps above 0.01 R*: the interpolation between tables, at the largest coefficient of
-// a metal in docs/rate_factor.md.
+// The path is loading, unloading to zero overlap and further loading, up to the end of the range.
+// Errors are relative to the largest force or energy. Without interpolation, they are below 1e-12,
+// because the same formulas are evaluated in another order. Interpolation between tables causes
+// errors of 1e-3, and of 5e-3 for overlaps above 0.01 R*. The rate coefficient is the largest of a
+// metal in docs/rate_factor.md.
 TEST_CASE_TEMPLATE("a law at a rate factor is the law of the stronger bodies", Law, ALL_LAWS) {
   if constexpr (yields<Law>) {
     constexpr double coefficient = 0.025;
@@ -103,8 +103,8 @@ TEST_CASE_TEMPLATE("a law at a rate factor is the law of the stronger bodies", L
   }
 }
 
-// Interpolated, too: the work of the force along a path is what the energies change by. 1e-6: the
-// trapezoids of the sum; between the bits of a path, forces are smooth except where a law jumps.
+// Also with interpolation, the energies change by the work of the force along a path. The tolerance
+// is 1e-6 of the loading work, the error of the trapezoidal rule for smooth forces.
 TEST_CASE_TEMPLATE("a law at a rate factor keeps the energy balance", Law, Universal, Mdr,
                    JacksonGreen, Thornton) {
   const TypePair<Law> pair(metal(0.025), defaults<Law>());

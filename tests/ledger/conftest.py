@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The run that several tests of the ledger look at."""
+"""The run that several tests of the energy balance use."""
 
 from __future__ import annotations
 
@@ -12,6 +12,6 @@ from ledger_runs import ledger
 
 @pytest.fixture(scope="session")
 def bed(tmp_path_factory) -> tuple[Path, pd.DataFrame]:
-    """A bed of 144 grains coming to rest: its folder and its ledger."""
+    """Folder and energy terms of a bed of 144 grains that comes to rest."""
     folder = tmp_path_factory.mktemp("bed")
     return folder, ledger("bed", folder)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The energy ledger over several runs, a restart, and inserted and deleted grains."""
+"""The energy balance over several runs, restarts, and inserted and deleted grains."""
 
 from __future__ import annotations
 
@@ -20,10 +20,10 @@ def log(folder: Path) -> str:
 @pytest.mark.parametrize("pre", ["yes", "no"])
 @pytest.mark.parametrize("steps", [0, 200])
 def test_changes_of_the_deck_between_runs_are_counted(pre, steps, tmp_path):
-    """With or without a setup; terms printed between runs are those at the end. The initial energy
-    is not the one before the walls have computed their forces.
+    """Changes are counted with and without a setup. Terms that are printed between runs are those
+    at the end of the earlier run. The initial energy contains that of the walls.
 
-    1e-3 of the added energy: the error of the time step is a tenth of that.
+    The balance error is below 1e-3 of the added energy; the time step causes a tenth of this limit.
     """
     table = ledger("changed", tmp_path, pre=pre, steps=steps)
     end, second = (table[table["run"] == run].iloc[-1] for run in (0, 2))
@@ -39,7 +39,7 @@ def test_changes_of_the_deck_between_runs_are_counted(pre, steps, tmp_path):
 
 
 def test_another_integrator_is_refused(tmp_path):
-    """The ledger sums work as velocity Verlet moves the particles."""
+    """The energy balance supports only the steps of velocity Verlet."""
     with pytest.raises(EngineError, match="run_style respa is not supported"):
         ledger("set_types", tmp_path, change="run_style respa 2 2 pair 1")
 
@@ -53,9 +53,8 @@ def test_deleted_particles_need_a_setup(tmp_path):
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_a_restart_keeps_the_terms(bed, ranks, tmp_path):
-    """The second half from the file has the terms of the whole run.
-
-    1e-9 of the energy: the digits of the file on one rank, sums in another order on two.
+    """A run from the restart file has the terms of the second part of the whole run. They agree to
+    1e-9 of the initial energy; digits in the file and the order of sums on two ranks differ.
     """
     folder, whole = bed
     restart = folder / "middle.restart"
@@ -69,8 +68,8 @@ def test_a_restart_keeps_the_terms(bed, ranks, tmp_path):
 
 
 def test_deleted_grains_leave_the_others(bed, tmp_path):
-    """The term inserted has their energy and the elastic energy of their contacts. Their plastic
-    work stays in the total."""
+    """The term `inserted` contains the energy of the deleted grains and the elastic energy of their
+    contacts. Their plastic work stays in the total."""
     table = ledger("bed_thinned", tmp_path, restart=bed[0] / "middle.restart")
     before, after = table[table["run"] == 0].iloc[-1], table[table["run"] == 1].iloc[0]
     assert before["step"] == after["step"]
@@ -97,7 +96,7 @@ def test_deleted_grains_leave_the_others(bed, tmp_path):
 def test_changes_of_contacts_are_counted(change, wall, ranks, tmp_path):
     """Other constants, sizes or positions of bodies change the energy of their contact.
 
-    The balance error of 20 steps is about 1e-4 of the energy; the changes are more than 5 % of it.
+    The balance error of 20 steps is about 1e-4 of the initial energy; the changes exceed 5 % of it.
     """
     table = ledger("set_types", tmp_path, ranks, change=change, wall=wall)
     before, after = table[table["run"] == 0].iloc[-1], table[table["run"] == 1].iloc[0]
@@ -116,8 +115,8 @@ def test_changes_of_contacts_are_counted(change, wall, ranks, tmp_path):
 @pytest.mark.parametrize("ranks", [1, 2])
 @pytest.mark.parametrize("wall", [0, 1])
 def test_the_setup_loads_to_its_overlap(wall, ranks, tmp_path):
-    """Bodies that overlap beyond yield when a run begins, and then separate: their contact unloads
-    from the first overlap. Plastic work does not change."""
+    """Bodies overlap beyond yield when a run begins, and then separate. Their contact unloads from
+    the first overlap, and plastic work does not change."""
     table = ledger("set_types", tmp_path, ranks, speed=0.5, wall=wall, change="run 0")
     assert table["elastic"].iloc[-1] < 0.99 * table["elastic"].iloc[0]
     assert table["plastic"].iloc[0] > 0
@@ -126,10 +125,9 @@ def test_the_setup_loads_to_its_overlap(wall, ranks, tmp_path):
 
 
 def test_grains_are_inserted_and_lost_during_a_run(tmp_path):
-    """Inserted, and lost through the floor: the term inserted has their energy.
-
-    A grain that appears or disappears in a step has half a step of gravity more or less: m g v
-    dt/2, here 3e-4 of the energy.
+    """Grains are inserted and lost through the floor; the term `inserted` contains their energy. In
+    the step in which a grain appears or disappears, half a step of gravity is missing or added.
+    This error, m g v dt/2, is 3e-4 of the energy.
     """
     table = ledger("passing", tmp_path)
     mechanical = table["kinetic"] + table["gravity"]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Terms of the energy ledger do not depend on how and when they are read."""
+"""Terms of the energy balance do not depend on how and when they are read."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from plastigran.engine.process import EngineError
 
 
 def test_terms_do_not_depend_on_the_output_interval(bed, tmp_path):
-    """1e-12 of the energy: a log has 15 digits."""
+    """The terms agree to 1e-12 of the initial energy, because a log has 15 digits."""
     often = ledger("bed", tmp_path, before=10000, after=0, every=7)
     whole = bed[1]
     scale = whole[["kinetic", "gravity"]].iloc[0].sum()
@@ -24,17 +24,16 @@ def test_terms_do_not_depend_on_the_output_interval(bed, tmp_path):
 
 
 def builds(folder: Path) -> int:
-    """Number of neighbor list builds in the first run."""
+    """Return the number of neighbor-list builds in the first run."""
     log = (folder / "log.liggghts").read_text()
     return int(re.findall(r"Neighbor list builds = (\d+)", log)[0])
 
 
 def test_terms_are_the_same_in_the_loop_of_liggghts(tmp_path):
-    """It runs if contacts are dumped, and counts stored energies with the forces; our loop counts
-    them later. These steps also write restart files, and a small skin causes many
-    neighbor list builds.
-
-    1e-12 of the energy: a log has 15 digits.
+    """LIGGGHTS' own loop runs if contacts are dumped. It counts stored energies with the forces;
+    the plugin's loop counts them later. The deck also writes restart files, and a small skin causes
+    many neighbor-list builds. The terms agree to 1e-12 of the initial energy, because a log has 15
+    digits.
     """
     deck = {"before": 7000, "after": 0, "every": 7, "skin": 0.0002}
     ours = ledger("bed", tmp_path / "ours", **deck)
@@ -47,16 +46,15 @@ def test_terms_are_the_same_in_the_loop_of_liggghts(tmp_path):
 @pytest.mark.parametrize("asks", [1, 2, 3], ids=["move", "adapt", "setforce"])
 @pytest.mark.parametrize("every", [1, 50])
 def test_terms_are_known_after_all_forces(asks, every, tmp_path):
-    """Not within a step: in its first part, before the forces, or before those of walls. It does
-    not matter whether they were read in the step before."""
+    """Within a step, terms cannot be read: in its first part, before the forces, or before the
+    forces of walls. It does not matter whether they were read in the previous step."""
     with pytest.raises(EngineError, match="was read within a step, before all forces are known"):
         ledger("between", tmp_path, asks=asks, every=every)
 
 
 def test_a_fix_within_a_step_reads_the_previous_term(tmp_path):
-    """From a `fix ave/time`: a grain moves by as many metres as the term has joules.
-
-    1e-9 of the largest: the digits of the log.
+    """The fix reads a `fix ave/time` and moves a grain by one meter per joule. Motion and term
+    agree to 1e-9 of the largest term, because of the digits of the log.
     """
     entries = ledger("between", tmp_path, asks=1, fed=1, every=1)
     motion = read_dump(tmp_path / "trajectory.dump")
@@ -80,9 +78,8 @@ def test_terms_before_the_first_run_are_current(tmp_path):
 
 
 def test_a_deforming_box_changes_no_term(tmp_path):
-    """`fix deform` displaces particles before the output, after the loop of LIGGGHTS has counted.
-
-    1e-12 of the energy: a log has 15 digits.
+    """`fix deform` displaces particles before the output, but after the loop of LIGGGHTS has
+    counted. The terms agree to 1e-12 of the initial kinetic energy, because a log has 15 digits.
     """
     ours = ledger("deformed", tmp_path / "ours")
     engines = ledger("deformed", tmp_path / "engines", contacts=1)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The energy balance closes: compared with the error of the integrator, theory and ranks."""
+"""The energy balance closes to the error of the integrator, and agrees with theory and ranks."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from plastigran.engine.dumps import read_dump
 from plastigran.engine.process import EngineError, run_deck
 from plastigran.materials import RIGID
 
-# Every model a contact may have, in every geometry.
+# Models of friction, rolling friction and damping in each geometry.
 CASES = {
     "plane": {"tangential": "history"},
     "mesh": {"tangential": "no_history", "rolling": "cdt", "damping": "on"},
@@ -26,9 +26,9 @@ MOVING = ("pushing", "shaking", "shearing")
 
 
 def impact(law: str, folder: Path, refine: int = 1, **variables) -> pd.DataFrame:
-    """An impact at 0.1 m/s with a hundred lines of the ledger.
+    """Run an impact at 0.1 m/s; return its energy terms in a hundred lines.
 
-    A cylinder is stiffer relative to its mass: it needs a lower strength and a shorter step.
+    A cylinder is stiffer relative to its mass, so it has a lower strength and a shorter time step.
     """
     if laws.LAWS[law].shape == "cylinder":
         variables = {"shape": "cylinder", "yield_strength": 3e7, **variables}
@@ -40,17 +40,16 @@ def impact(law: str, folder: Path, refine: int = 1, **variables) -> pd.DataFrame
 
 
 def share(table: pd.DataFrame, entry: str) -> float:
-    """Largest magnitude of an entry over the kinetic energy at the start."""
+    """Return the largest magnitude of a term, divided by the initial kinetic energy."""
     return table[entry].abs().max() / table["kinetic"].iloc[0]
 
 
 @pytest.mark.parametrize("geometry", CASES)
 def test_an_impact_closes(engine_law, geometry, tmp_path):
-    """Oblique, with friction, rolling friction and damping.
-
-    2e-4: velocity Verlet's error, largest in the middle of the impact. A quarter of the step leaves
-    a sixteenth of it, and a quarter at most with a law whose force jumps or has a kink, because an
-    output line is then hit or missed.
+    """The impacts are oblique, with friction, rolling friction and damping. The balance error is
+    below 2e-4 of the initial energy; velocity Verlet causes it mainly in the middle of the impact.
+    A quarter of the step reduces it to a sixteenth, or to at most a quarter if the force jumps or
+    has a kink near an output line.
     """
     coarse = impact(engine_law, tmp_path / "coarse", geometry=geometry, **CASES[geometry])
     assert share(coarse, "drift") < 2e-4
@@ -66,7 +65,8 @@ def test_an_impact_closes(engine_law, geometry, tmp_path):
 
 @pytest.mark.parametrize("law", ["thornton", "lim_stronge", "universal", "mdr"])
 def test_an_impact_at_a_rate_closes(law, tmp_path):
-    """Rescaled, in closed form, and interpolated; 2e-4 as above. The factor is about 1.15."""
+    """The laws rescale a table, have a closed form, or interpolate between tables. The limit is
+    2e-4 as above, and the rate factor is about 1.15."""
     rate = {"rate_coefficient": 0.02, "reference_rate": 1e-3}
     plain = impact(law, tmp_path / "plain", geometry="plane")
     stronger = impact(law, tmp_path / "rate", geometry="plane", **rate)
@@ -76,10 +76,9 @@ def test_an_impact_at_a_rate_closes(law, tmp_path):
 
 @pytest.mark.parametrize("geometry", ["plane", "pair", *MOVING])
 def test_closing_is_second_order(geometry, tmp_path):
-    """A law with a smooth force: half the step leaves a quarter of the drift.
-
-    0.3: a shaken wall's velocity is one for a step, and an output line does not fall on the
-    largest drift.
+    """With a smooth force, half the time step reduces the balance error to a quarter. The limit is
+    0.3, because the velocity of a shaken wall is constant during a step, and output lines miss the
+    largest error.
     """
     coarse, fine = (
         impact("thornton", tmp_path / str(k), k, geometry=geometry, damping="on") for k in (2, 4)
@@ -89,9 +88,9 @@ def test_closing_is_second_order(geometry, tmp_path):
 
 
 def test_plastic_work_is_the_predicted_loss(engine_law, law_between, aluminium, tmp_path):
-    """1/2 m v^2 (1 - e^2), with e of the law by itself, all of it the sphere's.
-
-    1e-3 of the energy: the time step's error of the restitution.
+    """The loss is 1/2 m v^2 (1 - e^2), with the restitution e of the law, and belongs to the
+    sphere. The tolerance is 1e-3 of the initial energy, because the time step changes the
+    restitution.
     """
     table = impact(engine_law, tmp_path, geometry="plane", tangential="off", slip=0.0)
     cylinder = laws.LAWS[engine_law].shape == "cylinder"
@@ -112,7 +111,7 @@ def test_plastic_work_is_the_predicted_loss(engine_law, law_between, aluminium, 
 
 
 def test_a_pair_shares_its_plastic_work(tmp_path):
-    """Half to each body."""
+    """Each of two equal bodies gets half of the plastic work."""
     total = impact("thornton", tmp_path, geometry="pair")["plastic"].iloc[-1]
     assert total > 0
     assert plastic_work(tmp_path).to_numpy() == pytest.approx([total / 2] * 2, rel=1e-12)
@@ -120,7 +119,7 @@ def test_a_pair_shares_its_plastic_work(tmp_path):
 
 @pytest.mark.parametrize("geometry", CASES)
 def test_the_ledger_changes_no_motion(geometry, tmp_path):
-    """Bitwise."""
+    """The motion with and without energy balance is bitwise identical."""
     for state in ("on", "off"):
         deck = {"decks": DECKS, "geometry": geometry, "every": 10, **CASES[geometry]}
         run_deck(DECKS / "impact.in", {**deck, "ledger": state}, tmp_path / state)
@@ -132,7 +131,7 @@ def test_the_ledger_changes_no_motion(geometry, tmp_path):
 def test_a_bed_comes_to_rest(bed):
     """The terms contain the work of gravity, and plastic work only grows.
 
-    The target is 1e-3 of that work; the time step causes a tenth of it.
+    The limit of the balance error is 1e-3 of that work; the time step causes a tenth of this limit.
     """
     folder, table = bed
     mechanical = table["kinetic"] + table["gravity"]
@@ -149,7 +148,8 @@ def test_a_bed_comes_to_rest(bed):
 
 @pytest.mark.parametrize(("ranks", "grid"), [(2, "2 1"), (4, "2 2")])
 def test_ranks_have_the_same_terms(bed, ranks, grid, tmp_path):
-    """1e-9 of the energy: sums in another order, before collisions amplify the difference."""
+    """The terms agree to 1e-9 of the initial energy until collisions amplify the round-off of
+    sums."""
     table = ledger("bed", tmp_path, ranks, grid=grid, before=6000, after=0)
     table = table[table["run"] == 0]
     whole = bed[1].iloc[: len(table)]
@@ -159,7 +159,7 @@ def test_ranks_have_the_same_terms(bed, ranks, grid, tmp_path):
 
 
 def test_newton_on_is_refused(tmp_path):
-    """It computes a contact across a border of ranks on one side only."""
+    """With `newton on`, only one of two ranks computes a contact across their border."""
     with pytest.raises(EngineError, match="energy_ledger on: `newton on` is not supported"):
         run_deck(DECKS / "newton_on.in", {}, tmp_path)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tables of the validation pages, and their comparison with computed tables."""
+"""Fixtures that read tables of the validation pages and compare them with computed tables."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from plastigran.validation.report import EVIDENCE
 
 @pytest.fixture(scope="session")
 def page_table() -> Callable[[str], pd.DataFrame]:
-    """`page_table(name)` is a table of the pages; its cells are text."""
+    """`page_table(name)` returns a table of the pages; its cells are text."""
     tables: dict[str, pd.DataFrame] = {}
     for text in read_pages(EVIDENCE, PROJECT / "docs").values():
         tables |= read_tables(text)
@@ -24,9 +24,8 @@ def page_table() -> Callable[[str], pd.DataFrame]:
 
 @pytest.fixture(scope="session")
 def assert_on_page(page_table) -> Callable[[str, pd.DataFrame], None]:
-    """`assert_on_page(name, table)` asserts that the pages show a table, or rows of it.
-
-    Numbers may differ in the last digit by the round-off of libraries.
+    """`assert_on_page(name, table)` asserts that the pages show a table, or rows of it. Numbers may
+    differ by one in the last digit, because libraries have different round-off.
     """
 
     def check(name: str, table: pd.DataFrame) -> None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Docs and decks have the constants of a body that `body.h` declares."""
+"""Docs and decks have all constants of a body that `body.h` declares."""
 
 from __future__ import annotations
 

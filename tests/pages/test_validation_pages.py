@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The validation pages show its tables and pictures, and law pages their errors."""
+"""The validation pages show all tables and figures, and pages of laws show their errors."""
 
 from __future__ import annotations
 

@@ -51,7 +51,8 @@ def test_the_errors_of_the_package_and_the_pages_are_those_of_the_laws(assert_on
 
 
 def test_the_page_of_universal_shows_its_largest_errors():
-    """The errors are given by kind of contact and speed, for metals of the fit and others."""
+    """The page lists errors by kind of contact and speed, for metals of the fit and held-out
+    metals."""
     page = (PROJECT / "docs" / "laws" / "universal.md").read_text()
     names = ("perfectly plastic, small a/R", "hardening, small a/R", "large a/R")
     kinds = dict(zip(names, KINDS, strict=True))
@@ -112,7 +113,8 @@ def test_theories_of_oblique_impacts_are_those_of_the_page(page_table):
     assert len(theory) == 2 * len(oblique.QUANTITIES)
     for column in ("largest difference", "rms"):
         numbers = pd.to_numeric(shown.loc[theory, column])
-        assert errors.loc[theory, column].to_numpy() == pytest.approx(numbers, rel=0.01)  # digits
+        # The page has three digits, so the relative tolerance is 0.01.
+        assert errors.loc[theory, column].to_numpy() == pytest.approx(numbers, rel=0.01)
 
 
 def test_errors_for_the_rod_are_those_of_the_page(page_table, assert_on_page):

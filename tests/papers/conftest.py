@@ -15,7 +15,7 @@ from plastigran.cli import main
 
 @pytest.fixture(scope="session")
 def coarse(workers_folder) -> Callable[[str], Path]:
-    """`coarse(name)` is the folder that `plastigran reproduce NAME --coarse` writes."""
+    """`coarse(name)` returns the folder that `plastigran reproduce NAME --coarse` writes."""
 
     def run(name: str) -> Path:
         folder = workers_folder / f"paper_{name}"
@@ -31,5 +31,5 @@ def coarse(workers_folder) -> Callable[[str], Path]:
 
 @pytest.fixture(scope="session")
 def coarse_table(coarse) -> Callable[[str, str], pd.DataFrame]:
-    """`coarse_table(name, table)` is a table in that folder."""
+    """`coarse_table(name, table)` reads a table from the folder of `coarse(name)`."""
     return lambda name, table: pd.read_csv(coarse(name) / f"{table}.csv")

@@ -37,7 +37,7 @@ def test_yield_starts_below_the_surface(coarse_table):
     assert surface["oblique"] < surface["head-on"]
     for row in table.to_dict("records"):
         shortest, longest = map(float, row["elements (µm)"].split(" to "))
-        # The first Gauss points of a square are 0.21 of its length below the surface.
+        # The first Gauss points of a square element are 0.21 of its side below the surface.
         assert 0.21 * shortest < row["detected at depth (µm)"] < 0.22 * longest
 
 
@@ -54,7 +54,8 @@ def test_errors_of_the_laws(coarse_table):
     table = coarse_table("kp10", "normal").set_index("quantity")
     for law in ("katta_polycarpou", "lim_stronge"):
         error = table[f"LIGGGHTS, {law} vs finite elements (%)"]
-        # Per cent. The laws are stiffer beyond yield than the body of the same thickness.
+        # Errors are in per cent. Beyond yield, the laws are stiffer than the body of the same
+        # thickness.
         assert -25 < error["largest depth"] < -10
         assert 25 < error["largest force"] < 50
         assert error["restitution"] == pytest.approx(0, abs=6)

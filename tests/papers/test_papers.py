@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Every paper has a page with the tables and pictures that the command writes."""
+"""Every paper has a page with the tables and figures that the command writes."""
 
 from __future__ import annotations
 
@@ -45,7 +45,8 @@ def test_differences_on_the_page_are_those_of_its_columns(name):
             keys = (*compared.groups(), column)
             ours, theirs, difference = (pd.to_numeric(table[key]) for key in keys)
             expected = 100 * (ours / theirs - 1)
-            # Four digits of both numbers are 0.05 % each; the difference has two decimals.
+            # Rounding to four digits changes each number by up to 0.05 %; differences have two
+            # decimals.
             bound = 0.11 + 0.001 * expected.abs()
             given = np.isfinite(expected)
             assert given.any()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Meshes, fields on them, and movies."""
+"""Drawings of meshes and fields, and movies."""
 
 from __future__ import annotations
 

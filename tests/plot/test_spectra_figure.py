@@ -10,7 +10,8 @@ from plastigran.plot.spectra import spectra_figure
 
 
 def test_classes_without_impacts_are_a_gap():
-    """The energies are below the default tolerance of numpy; the class of 1e-24 is round-off."""
+    """The energies are smaller than the default tolerance of numpy; the class at 1e-24 is
+    round-off."""
     lower = np.array([1e-24, 1e-15, 2e-15, 8e-15, 1e-3])
     classes = pd.DataFrame({"lower": lower, "upper": 2 * lower, "count": [7, 1, 2, 3, 4]})
     none = classes[:0]

@@ -29,7 +29,7 @@ def settings() -> list[object]:
 
 
 def test_style_keeps_the_settings_of_the_user(tmp_path):
-    """Equal figures give equal files."""
+    """Equal figures give equal files, and the settings of the user stay."""
     before, backend = settings(), matplotlib.get_backend(auto_select=False)
     written = []
     for name in ("one", "two"):

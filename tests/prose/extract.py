@@ -19,7 +19,7 @@ import attrs
 from plastigran.cli import parser
 from plastigran.engine.process import PROJECT
 
-#: Number of words from which a string of code or a cell of a table is prose.
+#: A string in code or a cell of a table is prose if it has this number of words.
 WORDS = 4
 _SENTENCE_END = re.compile(r"(?<=[.!?])\s+|(?<=[:;])\s+(?=[A-Z`*\[(\"])|\n+")
 #: Parts of a sentence that are read as one word, in the order in which they are replaced.
@@ -114,7 +114,7 @@ def help_sentences() -> Iterator[Sentence]:
 
 def python_sentences(path: Path) -> Iterator[Sentence]:
     """Yield the sentences of a Python module: docstrings of public names, messages and texts."""
-    read: set[ast.AST] = set()  # nodes that need no further look
+    read: set[ast.AST] = set()  # nodes whose text has been read
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         place = f"{path.relative_to(PROJECT)}:{getattr(node, 'lineno', 1)}"
         if isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef):

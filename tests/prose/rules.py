@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Rules for sentences: their length, patterns that a reader stumbles over, and terms."""
+"""Rules for sentences: length, patterns at which a reader stumbles, and terms."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from collections.abc import Iterator
 LONGEST = 30  # words, without short remarks in parentheses
 _SHORT_ASIDE = re.compile(r" \((\S+ ){0,7}\S+\)")
 _WHOLE = "the|a|an|each|its|all|every|one|this|these|which"
-#: Patterns that hide the subject or the verb, by the remedy.
+#: Patterns that hide the subject or the verb; the keys are the remedies.
 PATTERNS = {
     "start with the subject": (
         r"^([A-Z][a-z]+ed|Said|Shown|Told|Left|Kept|Given|Drawn|Found|Held|Meant) (is|are)\b",
@@ -42,7 +42,7 @@ PATTERNS = {
         r", over (that|those|what|a|its|theirs)\b",
     ),
 }
-#: Terms to avoid, by the term to use.
+#: Patterns of terms to avoid; the keys are the terms to use.
 TERMS = {
     "again": r"\banew\b",
     "continues": r"\bgo(es)? on\b|\bgone on\b|\bwent on\b",

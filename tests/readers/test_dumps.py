@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Readers of files that LIGGGHTS writes, complete and truncated."""
+"""Readers of complete and truncated files of LIGGGHTS."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def test_the_columns_of_a_dump_are_those_of_the_deck(pair_run):
     assert list(table.columns) == ["step", *(name.removeprefix("v_") for name in named)]
     assert (table.groupby("step").size() == 2).all()
     assert table["time"].to_numpy() == pytest.approx(table["step"].to_numpy() * 4e-6, rel=1e-12)
-    assert table.loc[0, "radius"] == 0.1  # every digit survives
+    assert table.loc[0, "radius"] == 0.1  # all digits are kept
 
 
 def test_pair_contacts_match_the_trajectory(pair_run):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Results of a sweep and of a bulk run, and their page in a browser."""
+"""Fixtures: results of a sweep and of a bulk run, and their report page in a browser."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The page in a browser: no errors, no network, and every control works."""
+"""In a browser, the report page has no errors, needs no network, and all its controls work."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Sections of a page for results that are complete, unfinished, failed or damaged."""
+"""Sections of the report page on complete, unfinished, failed and damaged results."""
 
 from __future__ import annotations
 
@@ -157,7 +157,7 @@ def test_verdict_counts_warnings(copied, count, words):
     made = section(copied)
     assert (made.state, made.verdict) == ("passed", f"{passed}, {words}")
     page = write_report([copied], copied.parent / "page.html").read_text()
-    assert page.count(f"{passed}, {words}") == 2  # on the card and in the head of the section
+    assert page.count(f"{passed}, {words}") == 2  # card and head of the section
 
 
 def test_user_deck_shows_law_and_time_step_of_the_log(tmp_path):
@@ -199,7 +199,7 @@ def test_damaged_record_is_named(copied, text):
     ],
 )
 def test_damaged_entry_of_a_record_is_named(copied, entry, value, capsys):
-    """In a report, and in a run that would continue the damaged one."""
+    """The error appears in a report, and in a run that would continue the damaged run."""
     edit_json(copied / "run.json", {entry: value})
     made = section(copied)
     assert made.verdict == "record damaged"
@@ -278,7 +278,7 @@ def test_loops_belong_to_their_law_and_speed(sweep_folder):
     fastest = table[table["speed"] == 0.1].sort_values("law")
     (panel,) = loops.views["0.1 m/s"]
     for curve, force in zip(panel.curves, fastest["force_max"], strict=True):
-        # A chart keeps 40 or more points of a loop.
+        # A chart keeps 40 or more points of a loop, which may miss the largest force by 2 %.
         assert max(curve.y) == pytest.approx(force, rel=0.02)
 
 
@@ -404,7 +404,7 @@ def test_errors_of_a_law_are_for_the_speeds_of_the_sweep():
     assert theory(speed=[2 * yields, 2000 * yields]).validated == UNKNOWN
     assert theory(speed=[0.5 * yields]).validated == UNKNOWN
     table = CentralImpact.theory(law=["thornton"], speed=[2 * yields]).table
-    for material in ("mine", "steel"):  # the numbers of the table are not those of steel
+    for material in ("mine", "steel"):  # the table is for another metal
         (row,) = trust(table.assign(material=material), {})
         assert (row.validated, row.unknown_materials) == (UNKNOWN, [material])
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Numbers of the page: packed frames, cells, axes, colors."""
+"""Numbers on the report page: packed frames, cells, axes, colors."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Evidence: tables in the places of its pages, and pictures."""
+"""Evidence fills the tables of its pages and writes their figures."""
 
 from __future__ import annotations
 

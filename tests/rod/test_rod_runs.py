@@ -23,9 +23,9 @@ STEEP, FLAT = paper_rods()
 
 @pytest.mark.parametrize("rod", paper_rods(), ids=lambda rod: f"{rod.angle:g}")
 def test_agreement_with_the_equations_of_motion(rod, rod_law, tmp_path):
-    """1e-3: error at the recommended time step. 5e-3: extrapolation of residual overlap and end of
-    contact from the last loaded frames. The peak force is not compared, because it may lie on
-    either side of a jump of the law.
+    """The recommended time step causes a relative error of 1e-3. Residual overlap and contact time
+    are extrapolated from the last loaded frames, with an error of 5e-3. The peak force is not
+    compared, because it may lie on either side of a jump of the law.
     """
     run = RodImpact(rod_law, 1.0, rod)
     found, expected = run.run(tmp_path), run.predict()
@@ -41,8 +41,9 @@ def test_agreement_with_the_equations_of_motion(rod, rod_law, tmp_path):
 @pytest.mark.parametrize("speed", [0.5, 4.0])
 @pytest.mark.parametrize("rod", paper_rods(), ids=lambda rod: f"{rod.angle:g}")
 def test_friction_without_spring_is_that_of_the_paper(rod, speed, tmp_path):
-    """With `no_history`, friction is mu F as soon as the tip slides: 2e-3. With `history`, a spring
-    holds the tip at first, which changes restitution by 1.5 % and angular velocity by 0.3 %.
+    """With `no_history`, friction is mu F as soon as the tip slides, so results agree to 2e-3. With
+    `history`, a spring first holds the tip, which changes restitution by 1.5 % and angular velocity
+    by 0.3 %.
     """
     paper = RodImpact("ghaednia", speed, rod, "no_history").predict()
     found = RodImpact("ghaednia", speed, rod, "no_history").run(tmp_path)
@@ -57,7 +58,8 @@ def test_friction_without_spring_is_that_of_the_paper(rod, speed, tmp_path):
 
 
 def test_options_reach_the_law(tmp_path):
-    """The deck has its defaults except for the options of the law: 1e-3 as above."""
+    """Only the options of the law differ from the defaults of the deck. The relative tolerance is
+    1e-3, as above."""
     run_deck(
         "collision/rod.in", {"law": "stronge", "options": "unloading original_radius"}, tmp_path
     )
@@ -79,7 +81,8 @@ def test_without_friction(tmp_path):
 @pytest.mark.parametrize("rod", [STEEP, Rod(angle=30, length=0.2, mass=1.0, tip_radius=0.01)])
 def test_three_spheres_are_the_rod(rod, tmp_path):
     """Mass and inertia follow from forces, torques and velocities. Velocity Verlet integrates by
-    the trapezoidal rule, so impulses are exact: 1e-9 is round-off over some hundred steps.
+    the trapezoidal rule, so impulses are exact. The relative tolerance 1e-9 is round-off of some
+    hundred steps.
     """
     RodImpact("thornton", 1.0, rod).run(tmp_path)
     trajectory = read_dump(tmp_path / "trajectory.dump")

@@ -15,7 +15,7 @@ from plastigran.engine.process import PROJECT
 from plastigran.papers import find_paper, paper_names
 from plastigran.validation.report import EVIDENCE
 
-#: Long enough for a steady discharge; the hopper's own tests share the run.
+#: Settings for a steady discharge; the tests of the hopper use the same run.
 HOPPER = {"orifice": 8, "layers": 10, "timestep": 1.5e-5, "duration": 0.7, "rows": 150}
 HOPPER |= {"filling": 0.2, "checkpoints": 1}
 
@@ -40,9 +40,8 @@ def test_figures_of_the_bulk_decks(brief_run, bulk_run, tmp_path, monkeypatch):
     assert drawn == sorted(
         f"{name}.png" for name in (*parts[:-1], "bed_impact_bed", "bed_impact_plate")
     )
-    with pytest.raises(
-        ValueError, match="need three or more orifices"
-    ):  # here it is one run four times
+    # All four orifices have the same run here.
+    with pytest.raises(ValueError, match="need three or more orifices"):
         bulk_figures.hoppers()
 
 
@@ -66,7 +65,7 @@ def test_every_figure_of_the_docs_has_a_part():
     papers = {name: set(find_paper(name).figures) for name in paper_names()}
     for name, named in (papers | {"validation": set(EVIDENCE.figures)}).items():
         folder = figures / "validation" if name == "validation" else figures / "papers" / name
-        drawn = {path.stem for path in folder.iterdir() if path.suffix != ".gif"}  # a movie
+        drawn = {path.stem for path in folder.iterdir() if path.suffix != ".gif"}  # except movies
         assert drawn == named
 
 

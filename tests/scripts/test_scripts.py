@@ -33,9 +33,8 @@ def load(path: str) -> ModuleType:
 
 
 def test_convergence_of_finite_elements():
-    """A third of the penalty changes a coarse press and a coarse throw by less than 2 %.
-
-    The largest change, 1.2 %, is that of the contact radius, which is resolved to a part of an
+    """A third of the penalty changes results of a coarse compression and a coarse impact by less
+    than 2 %. The contact radius changes most, by 1.2 %, because it is resolved to a fraction of an
     element.
     """
     script = load("docs/convergence.py")
@@ -44,7 +43,7 @@ def test_convergence_of_finite_elements():
     for table in script.tables(softer, softer, attrs.evolve(coarse, steps_of_contact=80)).values():
         changes = table.filter(like="_change").to_numpy()
         assert (changes[0] == 0).all() and 0 < abs(changes[1]).max() < 2
-    # A coarse mesh is within 1 % of Hertz where a fine one is within 0.2 %.
+    # A coarse mesh agrees with Hertz within 1 %, and a fine mesh within 0.2 %.
     assert abs(script.elastic_table([174.0], coarse)["off Hertz (%)"][0]) < 1
 
 
@@ -93,10 +92,9 @@ def test_peers(tmp_path, monkeypatch, capsys):
 
 @pytest.mark.engine
 def test_restitution_of_peers(tmp_path, monkeypatch):
-    """hooke/hysteresis agrees with the finite elements at the speed of its fit.
-
-    1 %: interpolation between computed speeds. The law of this project agrees with Python to the
-    error of a time step of 1/4000 of an impact.
+    """`hooke/hysteresis` agrees with the finite elements at the speed of its fit, within 1 % due to
+    interpolation between speeds. The law of this project agrees with Python within the error of a
+    time step of 1/4000 of an impact.
     """
     monkeypatch.syspath_prepend(PROJECT / "benchmarks")
     script = load("benchmarks/peers_restitution.py")
@@ -116,8 +114,8 @@ def test_restitution_of_peers(tmp_path, monkeypatch):
 
 @pytest.mark.engine
 def test_size(tmp_path, monkeypatch, capsys):
-    """A bed of 100 grains: copies side by side have the same forces to round-off, a restart ends
-    like the run, and four ranks end like one rank to round-off.
+    """Adjacent copies of a bed of 100 grains have the same forces to round-off. A restart ends like
+    the run, and four ranks end like one rank to round-off.
     """
     monkeypatch.syspath_prepend(PROJECT / "benchmarks")
     script = load("benchmarks/size.py")
@@ -150,10 +148,9 @@ def test_size(tmp_path, monkeypatch, capsys):
 
 
 def test_the_model_of_clusters():
-    """The number of copies is that counted on four ranks of 3125 grains, 20 deep, to 10 %.
-
-    The tolerance is the error of the mean distance of grains. More ranks are less efficient. One
-    rank takes the time of its grains.
+    """The model gives the number of ghost copies that was counted on four ranks of 3125 grains, 20
+    layers deep, within 10 %. This tolerance is the error of the mean distance of grains. More ranks
+    are less efficient, and one rank needs only the time of its grains.
     """
     model = load("benchmarks/size_model.py")
     reach = 2 * model.REACH
@@ -182,8 +179,8 @@ def test_random_calls(monkeypatch, capsys):
 
 
 def test_the_slurm_script_continues_from_the_older_checkpoint(tmp_path):
-    """`srun` is an echo here. Without checkpoints, or with one, which may be truncated, the run
-    starts at its beginning; otherwise it starts from the older of two.
+    """In this test, `srun` prints its arguments. Without checkpoints, or with one that may be
+    truncated, the run starts at its beginning. With two, it starts from the older one.
     """
     script = PROJECT / "examples" / "slurm" / "large_bed.sh"
     srun = tmp_path / "srun"

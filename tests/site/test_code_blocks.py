@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The Python blocks of every page run in their order, next to results that the page mentions.
+"""The Python blocks of every page run in order, in a folder with the results that pages mention.
 
 Bulk runs have the brief settings of their decks.
 """
@@ -97,7 +97,7 @@ def test_python_of_a_page_runs(page, results, tmp_path, monkeypatch):
 
 
 def test_yield_strength_of_the_rate_factor():
-    """The numbers of docs/rate_factor.md."""
+    """docs/rate_factor.md shows these numbers."""
     names: dict = {}
     exec(blocks(PROJECT / "docs" / "rate_factor.md")[0], names)
     laws, pair, law = names["laws"], names["pair"], names["law"]

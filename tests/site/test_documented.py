@@ -15,13 +15,13 @@ from plastigran.cli import parser
 
 
 def modules() -> list[str]:
-    """Every module except the commands, whose two functions `plastigran.cli` describes."""
+    """Return every module except the commands, whose two functions `plastigran.cli` describes."""
     names = [module.name for module in walk_packages(plastigran.__path__, "plastigran.")]
     return [name for name in names if ".commands." not in name and "__main__" not in name]
 
 
 def public(module: object) -> Iterator[tuple[str, object]]:
-    """The functions, classes, methods and properties that a module defines, without `_`."""
+    """Yield the public functions, classes, methods and properties that a module defines."""
     for name, member in vars(module).items():
         defined_here = getattr(member, "__module__", None) == module.__name__
         if name.startswith("_") or not defined_here:

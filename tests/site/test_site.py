@@ -18,7 +18,7 @@ from plastigran.cli import parser
 from plastigran.engine.process import PROJECT
 
 SITE = PROJECT / "build" / "site"
-#: Attributes of elements whose files a browser loads by itself.
+#: Elements whose files a browser loads by itself, and the attribute that names the file.
 FETCHED = {"script": "src", "img": "src", "iframe": "src", "source": "src", "link": "href"}
 
 

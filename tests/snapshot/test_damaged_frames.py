@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Frames without grains, as of a deck that inserts grains, and incomplete frames."""
+"""Frames without grains, as from a deck that inserts grains later, and incomplete frames."""
 
 from __future__ import annotations
 
@@ -75,9 +75,8 @@ def test_an_empty_frame_is_written_for_paraview(run, tmp_path):
 
 @pytest.mark.parametrize("name", NAMES)
 def test_file_that_is_truncated_anywhere_is_damaged(run, name):
-    """VTK accepts many files that end between two lines.
-
-    A mesh may end before CELL_DATA, the IDs of its triangles.
+    """VTK itself accepts many files that end between two lines. A file of a mesh may end before
+    CELL_DATA, the IDs of its triangles.
     """
     file = run / "frames" / f"{name}_100.vtk"
     text = file.read_text()

@@ -37,7 +37,8 @@ def test_frames_are_found_by_step(pairs):
 
 
 def test_grains_have_their_size(pairs, tmp_path):
-    """Seen from above, each pair is one disc; the areas are 4 to 1, within 3 % for facets."""
+    """Seen from above, each pair is a disc. The areas have a ratio of 4, within 3 % due to
+    facets."""
     draw(
         find_frames(pairs)[-1], tmp_path / "top.png", colour="height", view="top", size=(1000, 800)
     )
@@ -50,7 +51,7 @@ def test_grains_have_their_size(pairs, tmp_path):
 def test_force_chains_are_where_grains_touch(pairs, tmp_path):
     """Each pair has a tube from center to center, whose cross section is proportional to the force.
 
-    LIGGGHTS computes 0.049 and 0.024 N. Tolerances are some pixels.
+    LIGGGHTS computes forces of 0.049 and 0.024 N. The tolerances correspond to some pixels.
     """
     draw(find_frames(pairs)[-1], tmp_path / "c.png", contacts=True, view="front", size=(1000, 800))
     large, small = halves(drawn(tmp_path / "c.png"))

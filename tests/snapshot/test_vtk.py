@@ -28,7 +28,8 @@ from plastigran.plot.frame_files import find_frames
 from plastigran.plot.frames import grain_values
 from plastigran.plot.grain_movie import save_grain_movie
 
-#: Laws whose contact history starts with the largest overlap, and vu_quoc_zhang, which differs.
+#: Laws whose contact history starts with the largest overlap, and `vu_quoc_zhang`, whose history
+#: does not.
 LAWS = ("thornton", "universal", "vu_quoc_zhang")
 STEPS = (0, 50, 100)
 
@@ -49,7 +50,8 @@ def vtk(request, tmp_path_factory):
 
 
 def test_plastic_work_of_a_contact_is_that_of_its_grains(vtk):
-    """Each grain has half the work of its only contact. The files have ten digits."""
+    """Each grain has half of the plastic work of its only contact. The tolerance is 1e-6, because
+    the files have ten digits."""
     grains, contacts = (pyvista.read(vtk / f"{kind}_100.vtp") for kind in ("grains", "contacts"))
     work = dict(zip(grains["id"], grains["plastic_work"], strict=True))
     assert contacts.n_cells == 2
@@ -115,7 +117,7 @@ def test_command_writes_the_contacts_of_a_deck(bulk_run, tmp_path, capsys):
 
 
 def test_plastic_work_follows_from_history_and_overlap(yielding_law):
-    """It equals the plastic work of the whole path, which includes unloading."""
+    """The plastic work from history and overlap equals that of the whole path with unloading."""
     grains = Grains(yielding_law, {}, read_material("aluminium_zv02"), 0.1)
     state = laws.LAWS[yielding_law].State()
     path = grains.contact_law().follow(0.05, np.array([5e-6, 2e-5, 1.2e-5, 1.5e-5]), state)
@@ -135,7 +137,7 @@ def test_movie_has_a_picture_of_every_frame(name, pairs, tmp_path):
 
 @pytest.mark.parametrize("colour", ["height", "radius", "speed"])
 def test_frames_of_a_movie_have_one_scale(colour, pairs, tmp_path, monkeypatch, capsys):
-    """It starts at the smallest value of all frames, for speeds at zero."""
+    """The color scale starts at the smallest value of all frames, but at zero for speeds."""
     spans = []
 
     def draw(*_, span, **__):

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Impacts of a gas of smooth spheres, found again in the positions of every step.
+"""Impacts of a gas of smooth spheres, from the positions of every step.
 
-A contact is an overlap of spheres, or of a sphere and a plane. Its law is asked anew, along the
-overlaps; velocities are those between two steps.
+A contact is an overlap of spheres, or of a sphere and a plane. The law is evaluated again along the
+overlaps; velocities are differences between two steps.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ import pandas as pd
 from plastigran import laws
 from plastigran.engine.dumps import read_dump
 
-# As the deck has them.
+# Values of gas.in.
 HEIGHT = 0.036  # period along z [m]
 PLANES = {"left": (0, -0.0185, 1), "right": (0, 0.0185, 1), "front": (1, -0.0185, 2)}
 PLANES |= {"back": (1, 0.0185, 2)}  # axis, place [m], atom type
@@ -24,12 +24,12 @@ LAW = laws.LAWS["thornton"]
 
 
 class Motion:
-    """Positions of all steps; grains that are numbered anew on the way are followed.
+    """Positions of all steps, in which grains keep their row when LIGGGHTS renumbers them.
 
     Attributes:
-        steps: Of the frames, shape (frames,).
-        positions: [m], shape (frames, grains, 3); a grain that is gone has NaN.
-        radii: [m], shape (grains,).
+        steps: Steps of the frames, shape (frames,).
+        positions: Positions [m], shape (frames, grains, 3); NaN for a deleted grain.
+        radii: Radii [m], shape (grains,).
         types: Atom types, shape (grains,).
     """
 
@@ -41,7 +41,7 @@ class Motion:
         self.radii = frames[0]["radius"].to_numpy()
         self.types = frames[0]["type"].to_numpy()
         self.positions = np.full((len(frames), count, 3), np.nan)
-        places = np.arange(count)  # of a frame's rows
+        places = np.arange(count)  # grain of each row of a frame
         for k, frame in enumerate(frames):
             x = frame[["x", "y", "z"]].to_numpy()
             if len(x) != len(places):
@@ -59,7 +59,7 @@ def _nearest_image(vectors: np.ndarray) -> np.ndarray:
 
 
 def impacts(motion: Motion, timestep: float) -> pd.DataFrame:
-    """All impacts that begin and end, in the order they are found.
+    """Return all impacts that begin and end in these steps.
 
     Returns:
         Rows with `begin` (first step of contact), `end` (first step without), `with`, `type`,
@@ -86,7 +86,8 @@ def impacts(motion: Motion, timestep: float) -> pd.DataFrame:
 
 
 def _between(apart: np.ndarray, reach: float, radius_eff: float, types: list, name: str) -> list:
-    """Impacts of one pair; speed per step. `apart`: shape (frames, 3) [m]."""
+    """Return the impacts of one pair with separation `apart`, shape (frames, 3) [m]; speeds are per
+    step."""
     distance = np.linalg.norm(apart, axis=1)
     touching = distance < reach
     if not touching.any():
@@ -98,7 +99,7 @@ def _between(apart: np.ndarray, reach: float, radius_eff: float, types: list, na
     rows = []
     for begin, end in zip(begins, ends, strict=False):
         if np.isnan(distance[end]):
-            continue  # one of the two was taken away
+            continue  # one of the two was deleted
         moved = _nearest_image(apart[begin] - apart[begin - 1])
         path = law.follow(radius_eff, reach - distance[begin:end])
         rows.append(
@@ -117,7 +118,7 @@ def _between(apart: np.ndarray, reach: float, radius_eff: float, types: list, na
 
 
 def spectra(found: pd.DataFrame, every: int, per_decade: int) -> pd.DataFrame:
-    """Counts and sums by table, what met, quantity and class."""
+    """Return counts and sums by table, quantity, partner, types and class."""
     long = found.drop(columns="begin").melt(
         ["end", "with", "type", "other_type"], var_name="quantity"
     )

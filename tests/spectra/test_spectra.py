@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Collision spectra: compared with a replay of every step, the ledger, ranks and restarts."""
+"""Collision spectra, compared with a replay of every step, the energy balance, ranks and
+restarts."""
 
 from __future__ import annotations
 
@@ -16,17 +17,17 @@ from plastigran.engine.process import EngineError, run_deck
 from plastigran.engine.spectra import QUANTITIES, read_spectra, spectrum
 
 DECKS = Path(__file__).parent / "decks"
-TIMESTEP, PER_DECADE = 5e-6, 5  # of the decks
+TIMESTEP, PER_DECADE = 5e-6, 5  # values of the decks
 
 
 def count(deck: str, folder: Path, ranks: int = 1, **variables) -> pd.DataFrame:
-    """Run a deck; its log."""
+    """Run a deck; return its log."""
     run_deck(DECKS / f"{deck}.in", {"decks": DECKS, **variables}, folder, ranks=ranks)
     return read_thermo(folder / "log.liggghts")
 
 
 def counted(folder: Path) -> pd.DataFrame:
-    """Counts and sums in the format of the replay."""
+    """Return counts and sums of a run in the format of the replay."""
     table = read_spectra(folder / "spectra.csv")
     positive = table["lower"].where(table["lower"] > 0)
     table["bin"] = np.round(PER_DECADE * np.log10(positive)).fillna(-np.inf)
@@ -35,9 +36,8 @@ def counted(folder: Path) -> pd.DataFrame:
 
 
 def compare(folder: Path, every: int, *dumps: Path) -> pd.DataFrame:
-    """Every class has the impacts of the replay, which are returned.
-
-    1e-9 of a sum: positions have 17 digits, and a law may depend on 1e-16 of the radius.
+    """Check that every class has the impacts of the replay; return these impacts. Sums agree to a
+    relative 1e-9: positions have 17 digits, and a law may amplify 1e-16 of the radius.
     """
     found = impacts(Motion(*(dumps or [folder / "motion.dump"])), TIMESTEP)
     expected = spectra(found, every, PER_DECADE)
@@ -50,7 +50,7 @@ def compare(folder: Path, every: int, *dumps: Path) -> pd.DataFrame:
 
 @pytest.fixture(scope="module")
 def gas(tmp_path_factory) -> tuple[Path, pd.DataFrame]:
-    """A gas of 64 smooth spheres: its folder, and its log."""
+    """Folder and log of a run of a gas of 64 smooth spheres."""
     folder = tmp_path_factory.mktemp("gas")
     return folder, count("gas", folder)
 
@@ -66,7 +66,7 @@ def test_a_gas_is_counted_as_it_is_replayed(gas):
 
 @pytest.mark.parametrize(("ranks", "grid"), [(2, "1 1 2"), (4, "2 2 1")])
 def test_ranks_count_what_happens(ranks, grid, tmp_path):
-    """Impacts across borders, and grains that change rank while they touch."""
+    """Some impacts cross borders of ranks, and some grains change rank during contact."""
     count("gas", tmp_path, ranks, grid=grid, before=400, after=0)
     compare(tmp_path, 400)
 
@@ -81,9 +81,9 @@ def test_renumbered_grains_keep_their_impacts(ranks, tmp_path):
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_a_restart_continues_the_count(gas, ranks, tmp_path):
-    """With current impacts and a partial table; later tables in the file are written again.
-
-    1e-6 of a sum, because impacts amplify the round-off of another order of sums.
+    """The count continues with current impacts and a partial table; later tables in the file are
+    written again. Sums agree to a relative 1e-6, because impacts amplify the round-off of sums in
+    another order.
     """
     folder, _ = gas
     whole = (folder / "spectra.csv").read_text()
@@ -96,9 +96,9 @@ def test_a_restart_continues_the_count(gas, ranks, tmp_path):
 
 
 def test_the_energies_are_the_ledgers(tmp_path):
-    """Of rough, damped spheres, in impacts and in current contacts.
-
-    3e-4: the work of a contact's last dashpot force and rolling torque in the step after it.
+    """The energies of impacts and current contacts add up to the dissipation of rough, damped
+    spheres. The relative difference is 3e-4: the last dashpot force and rolling torque of a contact
+    also do work in the step after it.
     """
     models = {"tangential": "history", "rolling": "epsd2", "damping": "on"}
     log = count("gas", tmp_path, every=1200, **models)
@@ -125,7 +125,7 @@ def test_a_mesh_is_one_wall(tmp_path):
 
 
 def test_counting_changes_no_motion(tmp_path):
-    """Bitwise."""
+    """The motion is bitwise identical."""
     for state in ("on", "off"):
         count("gas", tmp_path / state, counted=state, before=300, after=0, tangential="history")
     on, off = ((tmp_path / name / "motion.dump").read_bytes() for name in ("on", "off"))
@@ -159,7 +159,7 @@ def run_gas_with(lines: str, folder: Path) -> None:
 
 
 def test_the_last_line_of_a_killed_run_is_dropped_when_it_is_cut(tmp_path):
-    """`12` may be the beginning of 120000, a step after the current one."""
+    """`12` may be the beginning of 120000, which is later than the current step."""
     heading = "step,quantity,with,type,other_type,lower,upper,count,sum\n"
     row = "0,normal_speed,particle,1,1,0.1,0.2,3,0.5\n"
     (tmp_path / "spectra.csv").write_text(heading + row + row.rstrip())
@@ -201,7 +201,7 @@ def test_a_wrong_line_is_named(words, complaint, tmp_path):
 
 
 def test_contacts_that_were_there_before_are_no_impacts(tmp_path):
-    """Two overlapping spheres; counting begins while they push each other apart."""
+    """Two overlapping spheres repel each other; counting begins during their contact."""
     deck = tmp_path / "two.in"
     deck.write_text(
         """
@@ -232,5 +232,5 @@ run             1200
     run_deck(deck, {}, tmp_path)
     log = read_thermo(tmp_path / "log.liggghts")
     counted = log[log["step"] >= 200].drop_duplicates("step", keep="last")
-    assert counted.iloc[:, -1].tolist() == [1, 0, 0]  # contacts under way
+    assert counted.iloc[:, -1].tolist() == [1, 0, 0]  # current contacts
     assert counted.iloc[:, -2].tolist() == [0, 0, 0]  # impacts

@@ -18,10 +18,9 @@ def computed() -> pd.DataFrame:
 
 @pytest.mark.engine
 def test_errors_of_partial_slip(computed):
-    """The targets were 0.02 and 10 rad/s; the bounds here were set after the result was known.
-
-    Two readings of the measurements differ by 0.005 and 6 rad/s. At 39 degrees, friction alone
-    determines the spin, and the measured spin is 44 rad/s larger than friction allows."""
+    """The targets were 0.02 (restitution) and 10 rad/s (spin); these limits were set after the
+    first run. The measurements, digitized twice, differ by 0.005 and 6 rad/s. At 39 degrees,
+    friction alone determines the spin, but the measured spin exceeds this limit by 44 rad/s."""
     error = {
         name: (part[PARTIAL_SLIP] - part["value"]).abs()
         for name, part in computed.groupby("quantity")
@@ -42,7 +41,8 @@ def test_beyond_30_degrees_both_theories_slide(computed):
 def test_liggghts_has_its_spring_and_slider(computed):
     run = computed[computed["incident_angle"].isin(FEW_ANGLES)].dropna()
     assert len(run) == len(FEW_ANGLES)
-    # On a rigid plane, not on glass: the spring is 3 % softer along the surface.
+    # In LIGGGHTS, the plane is rigid instead of glass, which changes the tangential stiffness by 3
+    # %.
     assert run["LIGGGHTS, history"].to_numpy() == pytest.approx(run[SPRING].to_numpy(), rel=0.01)
     restitution = run[run["quantity"] == "restitution"]
     assert restitution["LIGGGHTS, history"].item() == pytest.approx(
@@ -52,8 +52,8 @@ def test_liggghts_has_its_spring_and_slider(computed):
 
 @pytest.mark.engine
 def test_partial_slip_in_liggghts_has_the_measured_restitution():
-    """0.03 at all angles: target set before the first run. The measurement itself is uncertain by
-    about 0.02."""
+    """The tangential restitution agrees within 0.03 at all angles, a target that was set before the
+    first run. The measurement has an uncertainty of about 0.02."""
     measured = oblique.measured()
     restitution = measured[measured["quantity"] == "restitution"]
     table = oblique.computed(restitution["incident_angle"])

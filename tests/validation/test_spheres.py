@@ -17,7 +17,7 @@ def test_every_yielding_law_and_every_row_is_compared(compared):
 
 
 def test_the_errors_of_universal_are_for_metals_outside_its_fit(compared):
-    """Those metals and the metals of the fit are disjoint, and together they are all."""
+    """No held-out metal is a metal of the fit, and together they are all metals."""
     metals = compared.groupby("law")["metal"].unique().map(set)
     held_out, fitted = metals["universal"], metals[laws_on_spheres.ON_FITTED_METALS]
     assert held_out == set(table().query("set == 'held'")["metal"])
@@ -26,7 +26,7 @@ def test_the_errors_of_universal_are_for_metals_outside_its_fit(compared):
 
 
 def test_errors_of_an_invented_law():
-    """Two rows in one regime and one in another; 3 and 4 % make 3.54 % together."""
+    """Two rows lie in one regime and one in another; 3 and 4 % have an rms of 3.54 %."""
     compared = pd.DataFrame(
         {
             "law": "invented",

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Laws on steel of known hardness, without a fit, and the sign of each cause of the mean error."""
+"""Laws for steel of known hardness, without a fit, and the causes of their mean error."""
 
 from __future__ import annotations
 
@@ -23,8 +23,8 @@ def rate(rebounds) -> pd.DataFrame:
 
 
 def test_the_nearest_law_has_the_slope_of_the_table_and_its_level_with_the_rate(rebounds, rate):
-    """The uncertainty of the table is 5 % in restitution. That of its slope is 1.7 %, because other
-    points of makers differ from it by 4 % in HV."""
+    """The table has an uncertainty of 5 % in restitution. The uncertainty of its slope is 1.7 %,
+    because other data of manufacturers differ from it by 4 % in HV."""
     nearest = steel.summary(rebounds).iloc[0]
     assert nearest["law"] == NEAREST
     assert nearest["rms about the mean"] < 1.7
@@ -53,6 +53,7 @@ def test_causes_of_the_mean_error_have_the_expected_sign(monkeypatch):
 
 
 def test_finite_elements_are_within_the_uncertainty_of_the_table():
-    """It is 5 % in restitution. The finite elements contain no law."""
+    """The table has an uncertainty of 5 % in restitution. The finite elements use no contact
+    law."""
     compared = dented_steel.comparison(NEAREST)
     assert compared["finite elements vs measured (%)"].abs().max() < 5

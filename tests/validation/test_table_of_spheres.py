@@ -25,8 +25,8 @@ def released():
 
 
 def test_loading_continues_where_an_unloading_began(released):
-    """`press` reloads the sphere instead. Reloading is elastic up to the largest force, so both
-    agree within the tolerance of Newton's method and a little plastic flow."""
+    """`press_and_release` continues from the state before unloading; `press` reloads the sphere.
+    Reloading is almost elastic up to the largest force, so both agree to 2e-3."""
     reloaded = press(METAL.material, RADIUS, METAL.forces, COARSE)
     assert not released.stopped
     assert len(released.unloadings) == len(METAL.forces)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The law `universal` against finite elements of metals that its fit did not use."""
+"""The law `universal`, compared with finite elements of metals that its fit did not use."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from plastigran.validation.spheres.metals import METALS
     ],
 )
 def test_errors_for_metals_outside_the_fit(compared, speeds, small_and_plastic, largest_error):
-    """The law is meant to be accurate to 1 %, and to 2 % for hardening metals or large a/R."""
+    """The targets of the law are errors of 1 %, and 2 % for hardening metals or large a/R."""
     errors = compared[compared["law"] == "universal"]
     errors = errors.merge(table()[["metal", "speed_ratio", "contact_radius_over_radius"]])
     errors = errors[errors["contact_radius_over_radius"] <= 0.1]

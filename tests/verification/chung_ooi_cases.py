@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Impacts of the benchmarks of Chung & Ooi (2011) that the tests use, and their steps."""
+"""Impacts of the benchmarks of Chung & Ooi (2011), and functions that choose and run them."""
 
 from __future__ import annotations
 

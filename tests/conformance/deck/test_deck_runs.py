@@ -17,7 +17,7 @@ from plastigran.engine.deck import read_deck
 from plastigran.engine.log import read_thermo
 from plastigran.engine.process import run_deck
 
-#: Columns that are round-off of vanishing sums.
+#: Columns of sums that vanish except for round-off.
 ROUNDING = ["drift", "inserted", "flow"]
 
 
@@ -39,7 +39,7 @@ def test_run_leaves_series_checks_figures_and_frames(case, whole):
 
 
 def test_run_is_read_again_without_inputs(case, whole, tmp_path, monkeypatch):
-    """The run is bitwise identical in another folder."""
+    """A moved run gives bitwise identical results."""
     shutil.copytree(whole.folder, tmp_path / "moved")
     monkeypatch.setenv("PLASTIGRAN_INPUTS", str(tmp_path / "none"))
     moved = open_run(tmp_path / "moved")
@@ -110,8 +110,8 @@ def test_restart_continues(case, whole, tmp_path):
 
 
 def test_ranks_agree_on_the_first_impacts(case, tmp_path):
-    """The first yielding impacts agree to 1e-9 on one, two and four ranks: forces are summed in
-    another order, and an impact multiplies the difference by ten."""
+    """The first yielding impacts agree on one, two and four ranks to 1e-9 of the kinetic energy.
+    Other ranks sum forces in another order, and an impact multiplies the difference by ten."""
     settings, logs = {**case.brief.settings, **case.brief.start}, []
     for ranks in (1, 2, 4):
         run_deck(f"bulk/{case.name}.in", settings, tmp_path / str(ranks), ranks)
@@ -127,7 +127,7 @@ def test_ranks_agree_on_the_first_impacts(case, tmp_path):
 
 
 def test_another_law_runs(case, tmp_path):
-    """LIGGGHTS' hertz without energy balance, if the deck allows it; otherwise thornton."""
+    """The law is LIGGGHTS' hertz without energy balance if the deck allows it, else thornton."""
     changes = {"law": "hertz", "ledger": "off"}
     try:
         case.deck_type.read(case.settings(**changes))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Settings of every bulk deck: declared, and checked before a run."""
+"""Settings of every bulk deck are declared, and checked before a run."""
 
 from __future__ import annotations
 

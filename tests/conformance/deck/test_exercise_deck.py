@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A deck consists of its files alone: a new one passes the whole suite."""
+"""A deck consists only of its files: a new deck passes all tests without registration."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ TESTS += [test_deck_runs.test_another_law_runs]
 
 @pytest.fixture(scope="module")
 def exercise_deck(tmp_path_factory):
-    """Files of the deck are in the folders of the other decks."""
+    """Copies the files of the exercise into the folders of the other decks."""
     inputs = tmp_path_factory.mktemp("exercise") / "inputs"
     shutil.copytree(inputs_folder(), inputs)
     shutil.copytree(EXERCISE / "inputs", inputs, dirs_exist_ok=True)

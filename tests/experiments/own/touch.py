@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Contact time and largest force of an elastic sphere on a rigid plane: an experiment."""
+"""An experiment: contact time and largest force of an elastic sphere on a rigid plane."""
 
 from __future__ import annotations
 

@@ -2,14 +2,15 @@
 """M. R. Brake, Int. J. Solids Struct. 62 (2015) 104; Ghaednia et al., Int. J. Impact Eng. 86 (2015)
 307, eqs 28-31.
 
-Yield at d_y = R* (pi p_y/2E*)^2. With d_p = R* (3 pi P0/2E*)^2, a_p^2 = 2 R* d_p and
+Yield is at d_y = R* (pi p_y/2E*)^2. With d_p = R* (3 pi P0/2E*)^2, a_p^2 = 2 R* d_p and
 s = (d - d_y)/(d_p - d_y),
 
     F = sech((n - 1) s) F_H + (1 - sech((3 - n) s)) pi P0 (2 R* d)^(n/2)/a_p^(n - 2)
     d_r = d_m (1 - F_m/F_H(d_m)), not below 0,  F = F_m y^1.5
-    a^2 = R* d (2 - sech((n - 1) s)): the package's, for the source has none
+    a^2 = R* d (2 - sech((n - 1) s))
 
-P0 = 2.8 Y; Meyer's index n = 2, or another one.
+P0 = 2.8 Y, and Meyer's index n is 2 or another value. The source has no contact radius, so a is
+that of the package.
 """
 
 from __future__ import annotations

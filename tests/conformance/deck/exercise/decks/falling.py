@@ -23,9 +23,9 @@ class Falling(GranularDeck):
         "": Brief({}, start={"duration": 0.024, "rows": 12, "checkpoints": 1}, restart=0)
     }
 
-    side: int = whole("grains along either side", 2)
-    height: float = number("of the grains above the floor", "m", 0)
-    duration: float = number("of the run", "s", 0)
+    side: int = whole("number of grains along each side", 2)
+    height: float = number("height of the grains above the floor", "m", 0)
+    duration: float = number("duration of the run", "s", 0)
 
     def analyse(self, series: pd.DataFrame) -> Analysis:
         fallen = series["z"].iloc[0] - series["z"]
@@ -34,7 +34,7 @@ class Falling(GranularDeck):
         checks = [
             count_check(series, self.derived("grains")),
             Check(
-                "fall against g t^2/2 before the floor, over the height",
+                "difference of the fall from g t^2/2, divided by the height",
                 (fallen - free)[falling].abs().max() / self.height,
                 1e-9,
                 "the integrator is exact under a constant force, to round-off",
@@ -47,7 +47,7 @@ class Falling(GranularDeck):
 
 @styled()
 def falling_figure(series: pd.DataFrame) -> Figure:
-    """Height of the grains over time.
+    """Draw the height of the grains versus time.
 
     Args:
         series: Columns time [s] and z [m].
