@@ -79,8 +79,9 @@ def run(law: str, folder: Path, bodies: list[str], commands: str, ranks: int = 1
         commands: Lines that run the simulation.
         ranks: Number of MPI ranks.
         variables: Variables of the deck. Also `values`, constants that replace those of the law;
-        `restart`, a file to read; `mesh`, triangles of the wall, shape (n, 3, 3); and `motion`,
-        lines that move the mesh."""
+            `restart`, a file to read; `mesh`, triangles of the wall, shape (n, 3, 3); and `motion`,
+            lines that move the mesh.
+    """
     folder.mkdir(exist_ok=True)
     text = "".join(body.replace("@", str(k)) for k, body in enumerate(bodies, 1))
     constants = variables.pop("values", CONSTANTS.get(law, {}))

@@ -140,7 +140,8 @@ def over_a_fold(angle: float) -> tuple[float, str]:
     Returns:
         Start of the sphere along x [m], and the lines of its motion. Each part has 100 steps:
         loading, unloading, motion to the fold, rotation about a fold that bends away, and motion
-        behind the fold."""
+        behind the fold.
+    """
     turn, pace = np.radians(angle), 0.02 / (100 * TIMESTEP)
     at_fold = -(RADIUS - HELD) * np.tan(max(0, turn) / 2)
     motions = [*pressed_and_held(), moved((pace, 0, 0))]

@@ -57,7 +57,8 @@ class Feature:
         thermo: Values of the log to compare.
         steps: Number of steps of the run.
         differs: Whether LIGGGHTS' own models differ on two ranks. Each rank then draws its own
-        random grains, or uses radii of the other rank that are some steps old."""
+            random grains, or uses radii of the other rank that are some steps old.
+    """
 
     commands: str
     grains: str = TWO

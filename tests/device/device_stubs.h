@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+//
 // Declarations of CUDA headers that the laws need, for a syntax check by clang without CUDA.
 // Include this file before the standard headers, so that their `using` declarations find these
 // functions.

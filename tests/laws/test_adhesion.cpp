@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+//
 // Adhesive laws, on random paths with separation and new contact.
 #include <doctest/doctest.h>
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+//
 // Tests of the tangential laws: exact solution of elastic contacts, energy, Coulomb's limit,
 // rotation.
 #include <doctest/doctest.h>

@@ -218,7 +218,7 @@ TEST_CASE_TEMPLATE("a cylinder law's work lost grows at any thickness", Law, Lim
 }
 
 TEST_CASE("a table is its functions, with their kinks and jumps, named or not") {
-  // A power, a function with a kink that the table is not told of, and a function that jumps at 6.
+  // A power, a function with a kink that is not passed to the table, and one that jumps at 6.
   const auto functions = [](double x) {
     return std::array{std::pow(x, 1.425), std::min(std::sqrt(x), 1.7), x <= 6 ? std::log(x) : 2.0};
   };

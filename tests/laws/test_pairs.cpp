@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+//
 // The table of type pairs, used as by a host.
 #include <doctest/doctest.h>
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+//
 // Laws at the rate factors of contacts. No table is built for a factor during a run.
 #include <doctest/doctest.h>
 

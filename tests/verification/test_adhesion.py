@@ -39,7 +39,8 @@ def touching(law: laws.Law) -> laws.ContactState:
 
 @pytest.mark.parametrize("gamma", [1e-4, 0.02, 0.2, 5.0])
 def test_jkr_is_the_papers_relation_of_force_and_overlap(gamma):
-    """1e-9: the overlap is a difference of two terms, which cancel near pull-off."""
+    """The relative tolerance is 1e-9, because the overlap is a difference of two terms that cancel
+    near pull-off."""
     law = laws.Jkr(PAIR, surface_energy=gamma)
     least = (pi * gamma * RADIUS**2 / (8 * MODULUS)) ** (1 / 3)
     contact_radius = least * np.geomspace(1.01, 30, 200)
@@ -64,7 +65,7 @@ def test_jkr_forms_and_breaks_where_the_paper_says():
         law.respond(RADIUS, x * distance, state.copy()).force for x in np.linspace(-1, 1, 20001)
     )
     assert least == pytest.approx(-pull_off, rel=1e-8)
-    # The slope is infinite at pull-off, where the root of 1e-9 is 3e-5.
+    # The slope is infinite at pull-off, so a distance of 1e-9 changes the force by about 3e-5.
     last = law.respond(RADIUS, -distance * (1 - 1e-9), state)
     assert last.force == pytest.approx(-5 / 9 * pull_off, rel=1e-4)
     assert law.respond(RADIUS, -distance * (1 + 1e-9), state).force == 0
@@ -81,7 +82,8 @@ def test_jkr_restitution_is_the_closed_form():
 
 
 class ThorntonNing:
-    """The law by integration of the paper's dF/d overlap; unloading by JKR with the radius R_p*."""
+    """Thornton & Ning's law by integration of the dF/d(overlap) of the paper, with unloading by JKR
+    and the radius R_p*."""
 
     def __init__(self, gamma: float) -> None:
         self.gamma, self.pressure = gamma, PAIR.yield_pressure
@@ -100,8 +102,8 @@ class ThorntonNing:
 
     def slope(self, overlap: float) -> float:
         a = self.contact_radius(overlap)
-        equivalent = sqrt(4 * MODULUS * a**3 / (3 * RADIUS))  # root of P_1
-        pull_off = sqrt(1.5 * pi * self.gamma * RADIUS)  # root of P_c
+        equivalent = sqrt(4 * MODULUS * a**3 / (3 * RADIUS))  # sqrt(P_1)
+        pull_off = sqrt(1.5 * pi * self.gamma * RADIUS)  # sqrt(P_c)
         rise = 3 * pi * RADIUS * self.pressure * equivalent
         return (rise - 2 * MODULUS * self.yield_radius * pull_off) / (3 * equivalent - pull_off)
 
@@ -179,9 +181,8 @@ LAWS = {
 
 @pytest.mark.parametrize("name", LAWS)
 def test_restitution_follows_from_the_motion(name):
-    """Twenty speeds below and above the sticking speed.
-
-    2e-5: steps of the integration cross the kinks of the force.
+    """The twenty speeds are below and above the sticking speed. Restitution agrees to 2e-5, because
+    steps of the integration cross kinks of the force.
     """
     law = LAWS[name]
     speeds = np.geomspace(0.2, 8, 20)
@@ -191,7 +192,8 @@ def test_restitution_follows_from_the_motion(name):
 
 
 def test_ammonium_fluorescein_sticks_near_the_published_speed():
-    """Published 1.6 m/s; the equations give 1.42 m/s, and 1.07 m/s with the energy guard."""
+    """The published sticking speed is 1.6 m/s. The equations give 1.42 m/s, and 1.07 m/s with the
+    energy guard."""
     for guard, speed in (("off", 1.418), ("on", 1.067)):
         law = laws.ThorntonNing1998(PAIR, surface_energy=GAMMA, energy_guard=guard)
         assert adhesion.sticking_speed(law, RADIUS, MASS) == pytest.approx(speed, abs=1e-3)
@@ -199,7 +201,7 @@ def test_ammonium_fluorescein_sticks_near_the_published_speed():
 
 @pytest.mark.parametrize("speed", [1e-3, 0.1, 10])
 def test_walton_braun_has_the_closed_forms(speed):
-    """Restitution (k_1/k_2)^(1/2); with a slope S it falls with speed."""
+    """Restitution is (k_1/k_2)^(1/2); with an unloading slope S, it decreases with speed."""
     constant = laws.WaltonBraun(PAIR, loading_stiffness=1e3, unloading_stiffness=3e3)
     computed = constant.central_impact(RADIUS, MASS, speed).coefficient_of_restitution
     assert computed == pytest.approx(sqrt(1 / 3), rel=1e-9)
@@ -211,8 +213,9 @@ def test_walton_braun_has_the_closed_forms(speed):
 
 @pytest.mark.parametrize("adhesive", [0.0, 500.0, 5e3])
 def test_luding_has_the_closed_forms(adhesive):
-    """Singh, Magnanimo, Saitoh & Luding 2015: residual energy of loading to overlap_max less that
-    of the adhesive limit; beyond overlap_limit no more is lost."""
+    """The recovered energy follows from Singh, Magnanimo, Saitoh & Luding (2015): work on the
+    unloading line minus work against adhesion. Beyond the overlap limit, loading causes no further
+    loss."""
     first, second, depth = 1e3, 5e3, 0.05
     law = laws.Luding2008(
         PAIR,
@@ -228,7 +231,7 @@ def test_luding_has_the_closed_forms(adhesive):
         force = first * top + stiff * (share - min(share, 1)) * limit
         energy = 0.5 * first * top**2 + (force**2 - (first * top) ** 2) / (2 * stiff)
         speed = sqrt(2 * energy / MASS)
-        # On the unloading line from the top to the adhesive limit, then along that limit.
+        # The contact unloads from the largest overlap to the adhesive limit, then along that limit.
         rest = (1 - first / stiff) * top
         begin = stiff * rest / (stiff + adhesive)
         pulled = 0.5 * stiff * (rest - begin) ** 2 + 0.5 * adhesive * begin**2
@@ -242,7 +245,7 @@ def test_luding_has_the_closed_forms(adhesive):
 @pytest.mark.parametrize(("exponent", "n"), [("one", 1.0), ("three_halves", 1.5)])
 @pytest.mark.parametrize("adhesion_ratio", [0.0, 0.05])
 def test_edinburgh_has_the_closed_forms(exponent, n, adhesion_ratio):
-    """Restitution is the same at any speed; without adhesion it is (k_1/k_2)^(1/2) for n = 1."""
+    """Restitution does not depend on speed; for n = 1 without adhesion, it is (k_1/k_2)^(1/2)."""
     ratio, top = 5.0, 0.01 * RADIUS
     law = laws.Edinburgh2014(
         PAIR, stiffness_ratio=ratio, adhesion_ratio=adhesion_ratio, exponent=exponent
@@ -301,10 +304,10 @@ def test_stiffnesses_in_the_wrong_order_are_refused():
 
 
 def test_pull_off_force_after_full_plasticity():
-    """`universal` against elastic unloading from a uniform pressure (Mesarovic & Johnson 2000).
-
-    Steel sphere of 10 um, loads of 3 to 50 mN. 12 %: chosen after the first comparison, which gave
-    -4 to +10 %. The pressure of the finite elements that `universal` fits is not quite uniform.
+    """`universal` is compared with elastic unloading from a uniform pressure (Mesarovic & Johnson
+    2000), for a steel sphere of 10 um and loads of 3 to 50 mN. The tolerance of 12 % was chosen
+    after the first comparison, which gave -4 to +10 %. The pressure of the finite elements to which
+    `universal` is fitted is not quite uniform.
     """
     pair = laws.combine(laws.Body(2.1e11, 0.3, 3e8), laws.Body(1e30, 0.3))
     modulus, radius, gamma = pair.youngs_modulus_eff, 1e-5, 0.5
@@ -319,9 +322,8 @@ def test_pull_off_force_after_full_plasticity():
 
 
 def test_pull_off_force_of_a_small_contact_within_the_flattened_area():
-    """For small adhesion, F = 4/3 p a^3/a_0 - (8 pi E* Gamma a^3)^(1/2): JKR with R = E* a_0/p.
-
-    1e-3: the next term of the series is (a/a_0)^2 = 6e-4 of the force.
+    """For small adhesion, F = 4/3 p a^3/a_0 - (8 pi E* Gamma a^3)^(1/2), which is JKR with R = E*
+    a_0/p. The relative tolerance is 1e-3, because the next term of the series is (a/a_0)^2 = 6e-4.
     """
     modulus, gamma, pressure, radius = 2.3e11, 1e-4, 9e8, 1e-6
     expected = 1.5 * pi * gamma * modulus * radius / pressure
@@ -331,9 +333,9 @@ def test_pull_off_force_of_a_small_contact_within_the_flattened_area():
 
 @pytest.mark.parametrize("gamma", [0.02, 0.1, 0.2])
 def test_thornton_with_adhesion_against_thornton_and_ning(gamma):
-    """Sticking speed, and restitution at 20 speeds from 1.2 times the sticking speed.
-
-    5 and 15 %: chosen after the first comparison. The two laws differ only beyond yield.
+    """Sticking speeds agree to 5 %, and restitutions at 20 speeds from 1.2 times the sticking speed
+    to 15 %. These tolerances were chosen after the first comparison. The two laws differ only
+    beyond yield.
     """
     own = laws.ADHESIVE_LAWS["thornton"](PAIR, surface_energy=gamma)
     published = laws.LAWS["thornton_ning_1998"](PAIR, surface_energy=gamma)

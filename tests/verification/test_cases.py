@@ -15,10 +15,10 @@ CASES = {
     for law in impacts.LAWS
     for index, row in enumerate(impacts.rows(law))
 }
-# Accepted errors of the residual overlap over the largest overlap, at the recommended step and at a
-# twentieth of it. The residual overlap is extrapolated from the last frames, with a force that is a
-# power of the remaining overlap. The force of a cylinder is no power, and that of mdr only at the
-# very end.
+# Tolerances of the residual overlap, divided by the largest overlap, at the recommended step and at
+# a twentieth of it. The residual overlap is extrapolated from the last frames, for a force that is
+# a power of the remaining overlap. The force of a cylinder is not a power, and the force of `mdr`
+# is one only at the very end.
 END_OF_REBOUND = {"sphere": (1e-5, 0), "cylinder": (2e-3, 1e-4), "mdr": (2e-3, 0)}
 OUTCOMES = ("coefficient_of_restitution", "force_max", "overlap_max", "overlap_res")
 
@@ -48,15 +48,10 @@ def test_every_law_has_cases(law_name):
 
 @pytest.mark.parametrize(("case", "geometry"), RUNS)
 def test_engine_at_the_recommended_step(case, geometry, tmp_path):
-    """The recommended step has an error of 1e-3 in restitution, and of 2e-3 in the other
-    quantities.
-
-    Where the force depends on the rate, which LIGGGHTS knows of half a step ago, force and
-    overlap follow to first order: 5e-3, and the overlap at which the force vanishes to 2 % of the
-    largest.
-
-    Two equal spheres that meet are the case's sphere on a rigid plane: the same in all but the
-    overlap, of which each has half.
+    """The recommended step causes a relative error of 1e-3 in restitution, and of 2e-3 in other
+    quantities. LIGGGHTS uses a speed of half a step earlier, so rate-dependent forces cause
+    first-order errors: 5e-3, and 2 % of the largest overlap in the residual overlap. Two equal
+    spheres behave like the sphere on a rigid plane, except that each has half of the overlap.
     """
     law, index = CASES[case]
     model, expected = impact(law, index, geometry=geometry), impacts.outcome(law, index)
@@ -76,10 +71,9 @@ def test_engine_at_the_recommended_step(case, geometry, tmp_path):
 
 @pytest.mark.parametrize("case", CASES)
 def test_engine_at_a_twentieth_of_it(case, declared_jumps, tmp_path):
-    """The integration is of second order: a step 20 times shorter leaves 1e-5.
-
-    In the step that crosses a jump of the force, the error is of first order: 1e-4 if the source
-    has a jump. Rate-dependent laws are of first order: a twentieth of the tolerances above.
+    """The integration is of second order, so a step 20 times shorter reduces the error to 1e-5. If
+    the force jumps, the error is of first order in the step with the jump: 1e-4. For rate-dependent
+    laws, it is of first order: a twentieth of the tolerances of the previous test.
     """
     law, index = CASES[case]
     model = impact(law, index)

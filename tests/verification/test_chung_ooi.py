@@ -45,10 +45,9 @@ def test_all_eight_are_there():
 
 @pytest.mark.parametrize("number", [1, 2])
 def test_elastic_normal_impact_is_hertzian(tables, number):
-    """Largest force, overlap and duration with 1000 steps:
-
-    2e-6, of second order in the step. The force is sampled per step, so its maximum is up to
-    (pi/2000)^2/2 = 1e-6 too low. Energy is conserved to 1e-7.
+    """With 1000 steps, force, overlap and duration have relative errors of 2e-6, of second order in
+    the step. The force is sampled per step, so its maximum is up to (pi/2000)^2/2 = 1e-6 too low.
+    Restitution is 1 within 1e-7.
     """
     table = tables(number)
     for name in ("force_max", "overlap_max", "contact_time"):
@@ -57,8 +56,7 @@ def test_elastic_normal_impact_is_hertzian(tables, number):
 
 
 def test_restitution_of_the_dashpot(tables):
-    """Closed form of a dashpot that never pulls.
-
+    """Restitution follows the closed form of a dashpot that never pulls. The relative tolerance is
     5e-4: the dashpot force begins as the fourth root of the overlap, which 1000 steps resolve with
     this error.
     """
@@ -69,9 +67,8 @@ def test_restitution_of_the_dashpot(tables):
 
 
 def test_a_dashpot_that_pulls_gives_what_is_asked(tmp_path):
-    """LIGGGHTS' hertz, whose dashpot may pull until the overlap ends, has the restitution e.
-
-    5e-4: as above.
+    """LIGGGHTS' hertz, whose dashpot may pull until the overlap ends, has the given restitution.
+    The relative tolerance is 5e-4, as above.
     """
     for asked in (0.4, 0.8):
         run_deck(
@@ -93,9 +90,8 @@ def test_benchmarks_with_restitution_one_half_have_it():
 
 @pytest.mark.parametrize("number", [4, 5, 6, 8])
 def test_oblique_impact_is_spring_and_slider(tables, number):
-    """Speed of the surfaces after the impact, divided by its change during full sliding.
-
-    1e-3 for 1000 steps: where within a step the spring begins to slide is of first order.
+    """The surface speed after the impact agrees to 1e-3 of its change during full sliding. With
+    1000 steps, this is the first-order error of the time at which the spring begins to slide.
     """
     table = tables(number)
     off = table["surface_speed"] - table["surface_speed_predicted"]
@@ -106,10 +102,9 @@ def test_oblique_impact_is_spring_and_slider(tables, number):
 
 @pytest.mark.parametrize(("number", "tolerance"), [(4, 2e-3), (5, 1e-2), (6, 2e-2), (8, 2e-2)])
 def test_sliding_is_rigid_body_theory(tables, number, tolerance):
-    """Changes by friction of tangential speed, spin and surface speed.
-
-    The tolerances are what a finite contact differs by: its arm is R - overlap/2, and while a
-    dashpot starts the force at once, the spring must be stretched first.
+    """Friction changes tangential speed, spin and surface speed as in rigid-body theory. The
+    tolerances cover the effects of a finite contact. The lever arm is R - overlap/2, and the spring
+    must be stretched before it slides, while a dashpot acts at once.
     """
     table = tables(number).query("slides")
     for name, arm in (("surface_speed", 1), ("speed_along", 1), ("spin_after", table["radius"])):
@@ -118,7 +113,8 @@ def test_sliding_is_rigid_body_theory(tables, number, tolerance):
 
 
 def test_equal_spheres_spinning_against_each_other_do_not_notice(tables):
-    """Their surfaces move alike, so spins and paths do not change, to round-off."""
+    """The surfaces of both spheres have the same velocity, so spins and paths change only by
+    round-off."""
     table = tables(7)
     assert table["spin_after"].to_numpy() == pytest.approx(table["value"], rel=1e-14)
     assert table["spin_after_other"].to_numpy() == pytest.approx(table["value"], rel=1e-14)
@@ -126,8 +122,8 @@ def test_equal_spheres_spinning_against_each_other_do_not_notice(tables):
 
 
 def test_unequal_spheres_keep_momentum(tmp_path):
-    """Momentum along y and angular momentum about z of the pair are conserved: the lever arms
-    of friction add up to the distance of the centers. The tolerance is round-off relative to
+    """Momentum along y and angular momentum about z of the pair are conserved, because the lever
+    arms of friction add up to the distance of the centers. The tolerance is round-off, relative to
     the change by friction.
     """
     case = evolve(few(8)[0], value=5.0)

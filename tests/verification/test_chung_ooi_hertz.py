@@ -19,16 +19,15 @@ from plastigran.experiments.chung_ooi.comparison import motion
 from plastigran.usable_laws import laws_for
 
 LAW = "vu_quoc_zhang"
-#: Laws that yield, and are LIGGGHTS' hertz for bodies that do not.
+#: Laws that yield, and that equal LIGGGHTS' hertz for bodies that do not yield.
 HERTZIAN = [
     name for name in laws_for("sphere") if laws.LAWS[name].yields and name not in NOT_HERTZIAN
 ]
 
 
 def assert_same_steps(case: BenchmarkImpact, law: str, place, steps_per_contact: int = 250) -> None:
-    """Check that every step of every column equals that of LIGGGHTS' hertz.
-
-    1e-13 of the largest value of the column: round-off in another order.
+    """Check that every step of every column equals that of LIGGGHTS' hertz. The tolerance is
+    round-off, 1e-13 of the largest value of the column.
     """
     ours, stock = (
         steps(evolve(case, law=name, steps_per_contact=steps_per_contact), place / name)
@@ -43,7 +42,7 @@ def assert_same_steps(case: BenchmarkImpact, law: str, place, steps_per_contact:
 
 @pytest.mark.parametrize("number", range(1, 9))
 def test_unyielding_model_is_the_engines_hertz(number, tmp_path):
-    """On planes and between spheres, damped and undamped, sticking and sliding."""
+    """Impacts are on planes and between spheres, damped and undamped, sticking and sliding."""
     for k, case in enumerate(middles(number)):
         assert_same_steps(case, LAW, tmp_path / str(k))
 
@@ -51,16 +50,15 @@ def test_unyielding_model_is_the_engines_hertz(number, tmp_path):
 @pytest.mark.parametrize("law", HERTZIAN)
 @pytest.mark.parametrize("number", [4, 8])
 def test_every_unyielding_law_is_the_engines_hertz(law, number, tmp_path):
-    """On a plane and between spheres; the tangential spring sticks and slides in turn."""
+    """Impacts are on a plane and between spheres; the tangential spring alternately sticks and
+    slides."""
     knob = 15.0 if number == 4 else 2.0
     assert_same_steps(evolve(few(number)[0], value=knob), law, tmp_path)
 
 
 def test_tangential_dashpot_is_the_engines(tmp_path):
-    """With the tangential dashpot on, as by default.
-
-    LIGGGHTS does not limit it to mu F, so a sliding sphere loses over a tenth more than mu times
-    the normal impulse.
+    """The tangential dashpot is on, as by default. LIGGGHTS does not limit it to mu F, so a sliding
+    sphere loses over 10 % more momentum than mu times the normal impulse.
     """
     case = evolve(few(6)[0], value=5.0)
     found = {}

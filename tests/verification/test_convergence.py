@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Order of LIGGGHTS' time integration with the laws, and agreement of the geometries."""
+"""Order of the time integration in LIGGGHTS with the laws, and agreement of the geometries."""
 
 from __future__ import annotations
 
@@ -14,15 +14,12 @@ from plastigran.physics import central
 
 
 def test_order_in_the_timestep(engine_law, aluminium, declared_jumps, tmp_path):
-    """Root mean square of the errors of restitution, over the phase of the step in which the
-    contact begins.
-
-    One run's error changes sign with that phase, so single runs show no clean order. The slope over
-    a 16-fold step is 2 within 0.25: six phases leave some scatter. A law whose force jumps is
-    integrated across the jump to first order only, so there it is at least 1; a force that depends
-    on the rate, which LIGGGHTS knows of half a step ago, is integrated to first order.
+    """The error is the rms error of restitution for six phases of the step in which the contact
+    begins; a single error changes sign with this phase. The order, fitted to steps that differ by a
+    factor of 16, is 2 within 0.25, because six phases scatter. It is about 1 or more if the force
+    jumps. It is 1 for rate-dependent laws, because LIGGGHTS uses the speed of half a step earlier.
     """
-    # Well beyond yield: elastic impacts are integrated better than to second order.
+    # The impacts are well beyond yield, because elastic impacts have a higher order.
     if laws.LAWS[engine_law].shape == "sphere":
         models = (CentralImpact(engine_law, speed, aluminium, 0.1) for speed in (0.2, 0.5, 1.0))
     else:
@@ -45,14 +42,14 @@ def test_order_in_the_timestep(engine_law, aluminium, declared_jumps, tmp_path):
         assert order > 0.75, errors
     else:
         assert order == pytest.approx(2, abs=0.25), errors
-    assert errors[0] < 4e-3  # twice the recommended step, which promises 1e-3
+    assert errors[0] < 4e-3  # twice the recommended step
 
 
 @pytest.mark.parametrize("law", ["hertz"])
 @pytest.mark.parametrize("speed", [0.001, 0.1])
 def test_hertz_duration(law, speed, aluminium, tmp_path):
-    """2.868 (m*^2/(R* E*^2 v))^(1/5) to 1e-3, for a pair and a wall; this checks the convention
-    for R* and m*.
+    """The duration is 2.868 (m*^2/(R* E*^2 v))^(1/5) within 1e-3, for a pair and walls. This checks
+    the convention for R* and m*.
     """
     for geometry in GEOMETRIES:
         model = CentralImpact(law, speed, aluminium, 0.1, geometry)
@@ -64,10 +61,9 @@ def test_hertz_duration(law, speed, aluminium, tmp_path):
 
 
 def test_geometries_agree(sphere_law, aluminium, tmp_path):
-    """Plane and mesh wall give the same numbers.
-
-    1e-9: round-off that grows where two positions are subtracted. A pair of equal spheres has half
-    of R*, m* and E* and twice the overlap, and agrees too, unless the law depends on sigma_Y/E*.
+    """Plane and mesh wall give the same results to a relative 1e-9; subtracting positions amplifies
+    round-off. A pair of equal spheres has half of R*, m* and E* and twice the overlap. It agrees,
+    too, unless the law depends on sigma_Y/E*.
     """
     models = {
         geometry: CentralImpact(sphere_law, 0.1, aluminium, 0.1, geometry)

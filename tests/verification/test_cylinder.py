@@ -1,7 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The laws for cylinders compared with closed forms and the figures of their source; cylinders
-in LIGGGHTS.
-"""
+"""The laws for cylinders, compared with closed forms and with their source, and in LIGGGHTS."""
 
 from __future__ import annotations
 
@@ -32,7 +30,7 @@ def glass(law: str, speed: float = 1.0, radius: float = 1e-5, ratio: float = 10)
 @pytest.mark.parametrize("row", PUBLISHED, ids=lambda row: f"{row.radius}-{row.speed}")
 @pytest.mark.parametrize("name", CYLINDER_LAWS)
 def test_published_laws(name, row):
-    """Without energy guard, to the digits of the source: 1e-5."""
+    """Without energy guard, results agree to a relative 1e-5, the digits of the table."""
     impact = glass(name, row.speed, row.radius * 1e-6, row.length_ratio)
     law = impact.contact_law(energy_guard="off")
     found = law.central_impact(impact.radius_eff, impact.mass_eff, row.speed)
@@ -52,7 +50,8 @@ def test_published_laws(name, row):
 
 @pytest.mark.parametrize("name", CYLINDER_LAWS)
 def test_yield(name):
-    """Force, overlap and work at yield; then the slope jumps up by 0.346 (C - 1) = 3.16."""
+    """Force, overlap and work have closed forms at yield, where the slope jumps by a factor of
+    0.346 (C - 1) = 3.16."""
     impact = glass(name)
     law, radius = impact.contact_law(), impact.radius_eff
     force, overlap, work = central.line_yield(impact.pair, radius, 1e-4, 1e-4)
@@ -70,17 +69,18 @@ def test_yield(name):
         )
 
     jump = slope(overlap * (1 + 2e-7)) / slope(overlap * (1 - 2e-7))
-    assert jump == pytest.approx(3.16, rel=2e-3)  # to its digits
+    assert jump == pytest.approx(3.16, rel=2e-3)  # three digits are given
 
 
 @pytest.mark.parametrize("name", CYLINDER_LAWS)
-@pytest.mark.parametrize("top", [0.5, 3, 60])  # times the overlap at yield: every regime
+@pytest.mark.parametrize("top", [0.5, 3, 60])  # largest overlap / overlap at yield
 def test_energies_are_the_forces_work(name, top):
-    """The work of first loading by quadrature of the force: 1e-9."""
+    """The energies at the largest overlap add up to the loading work, by quadrature, to a relative
+    1e-9."""
     impact = glass(name)
     law, radius, width = impact.contact_law(energy_guard="off"), impact.radius_eff, 1e-4
     _, overlap_y, _ = central.line_yield(impact.pair, radius, width, width)
-    # From there on the mean pressure stays 2.4 yield strengths: a/a_Y = exp(0.9 sqrt(3)).
+    # Beyond `full`, at a/a_Y = exp(0.9 sqrt(3)), the mean pressure stays 2.4 yield strengths.
     half_width_y = 12 * 2.41e9 * radius / (np.pi * 83.96e9)
     full = overlap_y + (np.exp(1.8 * np.sqrt(3)) - 1) * half_width_y**2 / (2 * radius)
     edges = [edge for edge in (0, overlap_y, full) if edge < top * overlap_y]
@@ -92,7 +92,8 @@ def test_energies_are_the_forces_work(name, top):
     peak = law.respond(radius, top * overlap_y, state)
     assert peak.elastic_energy + peak.plastic_work == pytest.approx(work, rel=1e-9)
 
-    # The rebound's energy falls as its force times the way, to the square of the difference's step.
+    # During unloading, the derivative of the elastic energy is the force. Central differences have
+    # an error of second order in the step.
     way = np.linspace(0.9, 1, 2001) * top * overlap_y
     back = law.follow(radius, way, state)
     slope = np.diff(back["elastic_energy"]) / np.diff(way)
@@ -118,9 +119,8 @@ def test_guard_only_shortens_the_rebound(name):
 
 @pytest.mark.parametrize("name", CYLINDER_LAWS)
 def test_contact_time_is_that_of_the_motion(name):
-    """Quadrature compared with the equation of motion by DOP853.
-
-    1e-5: effect of the kink at yield.
+    """Contact times by quadrature agree with the equation of motion to a relative 1e-5. The kink of
+    the force at yield causes this difference.
     """
     impact = glass(name, 1.0)
     law = impact.contact_law()
@@ -145,14 +145,15 @@ def test_contact_time_is_that_of_the_motion(name):
 
 
 def test_finite_elements():
-    """Residual overlap of the source's finite elements, 0.12 um to their two digits: Katta &
-    Polycarpou 6 % above, Lim & Stronge 64 %. Their run took 3 us to its end, 1.6 times the contact.
+    """The finite elements of the source have a residual overlap of 0.12 um. Katta & Polycarpou's
+    law gives 6 % more, and Lim & Stronge's 64 %. The finite-element run ended at 3 us, 1.6 times
+    the contact time.
     """
     table = study.comparison()
     assert table.loc["katta_polycarpou", "overlap_res_error"] == pytest.approx(0.056, abs=0.002)
     assert table.loc["lim_stronge", "overlap_res_error"] == pytest.approx(0.636, abs=0.002)
     assert table.loc["katta_polycarpou", "contact_time"] == pytest.approx(1.8405e-6, rel=1e-4)
-    # A bound is no contact time.
+    # The end of that run is only an upper bound of the contact time.
     assert np.isnan(table.loc["finite elements", "contact_time"])
     assert table.loc["finite elements", "contact_time_bound"] == 3e-6
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Cylinders in LIGGGHTS: lengths in the deck, refusals, damping, and impacts of any size."""
+"""Cylinders in LIGGGHTS: lengths in the deck, errors, damping, and impacts of any size."""
 
 from __future__ import annotations
 
@@ -16,7 +16,8 @@ CYLINDER_LAWS = laws_for("cylinder")
 
 
 def deck(**changes: str) -> str:
-    """Return cylinder_wall.in with its properties as text, after changes."""
+    """Return the text of cylinder_wall.in after replacements; each change is a pair of old and new
+    text."""
     text = (inputs_folder() / "collision" / "cylinder_wall.in").read_text()
     for old, new in changes.values():
         assert old in text
@@ -31,7 +32,7 @@ def run(text: str, folder, **variables):
 
 
 def lengths(cylinder_length: str, body_thickness: str) -> tuple[str, str]:
-    """Return a change that replaces the lengths of both types."""
+    """Return a change for `deck` that replaces the lengths of both atom types."""
     given = f"""
 unfix cylinder_length
 unfix body_thickness
@@ -83,9 +84,8 @@ def test_a_deck_in_three_dimensions_is_refused(name, tmp_path):
 
 @pytest.mark.parametrize(("radius", "speed"), [(1e-6, 0.1), (1e-5, 1e-3), (5e-4, 1), (5e-2, 0.01)])
 def test_the_deck_runs_until_the_cylinder_has_left(radius, speed, tmp_path):
-    """Cylinders of any size, slow and fast.
-
-    Restitution to 1e-3, the error of the recommended step.
+    """Cylinders of any size, slow and fast, have the restitution of the law within 1.1e-3. The
+    recommended step causes this error.
     """
     case = CylinderImpact("lim_stronge", speed, "glass_kp10", radius, body_thickness=10 * radius)
     expected = case.predict().coefficient_of_restitution
@@ -94,8 +94,8 @@ def test_the_deck_runs_until_the_cylinder_has_left(radius, speed, tmp_path):
 
 @pytest.mark.parametrize("name", CYLINDER_LAWS)
 def test_viscous_damping(name, tmp_path):
-    """Below yield the dashpot 2 sqrt(5/6) beta sqrt(S m) works beside the law, with S the slope of
-    the elastic force, against the motion integrated by scipy."""
+    """Below yield, the dashpot 2 sqrt(5/6) beta sqrt(S m) acts in addition to the law; S is the
+    slope of the elastic force. The reference is the motion, integrated by scipy."""
     damped = ("xplane 0.0", "xplane 0.0 viscous_damping on")
     given = "fix r all property/global coefficientRestitution peratomtypepair 2 .8 .8 .8 .8"
     text = deck(wall=damped, given=("\npair_style", f"\nunfix restitution\n{given}\npair_style"))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Free vibrations of the elastic sphere, and its Hertzian collision against theory."""
+"""Free vibrations of the elastic sphere, and its Hertzian impact, compared with theory."""
 
 from __future__ import annotations
 
@@ -30,11 +30,9 @@ COUNT = 8
 
 
 def rayleigh_ritz(kind: str, degree: int, poissons_ratio: float, count: int) -> np.ndarray:
-    """Return the first k a in another way: least energy over polynomials in r, without Bessel
-    functions.
-
-    Displacement (U Y, V r grad Y) or, toroidal, W. By the minimum principle the n-th value found is
-    never below the n-th mode, so one that is missed would show as a shift of all above it.
+    """Return the first values of k a by least energy of polynomials in r, without Bessel functions.
+    The displacement is (U Y, V r grad Y), or W for toroidal modes. By the minimum principle, the
+    n-th value is never below the n-th mode, so a missed mode would shift all higher ones.
     """
     nodes, weights = leggauss(80)
     r, dr = (nodes + 1) / 2, weights / 2
@@ -70,15 +68,14 @@ def rayleigh_ritz(kind: str, degree: int, poissons_ratio: float, count: int) -> 
         )
         mass = form((1, u), (square, v))
     values = np.sqrt(np.maximum(eigh(stiffness, mass, eigvals_only=True), 0))
-    return values[values > 1e-2][:count]  # without turning and moving as a whole
+    return values[values > 1e-2][:count]  # without rigid motions
 
 
 @pytest.mark.parametrize("degree", [1, 2, 3, 7, 20])
 @pytest.mark.parametrize("poissons_ratio", RATIOS)
 def test_spheroidal_modes_are_those_of_least_energy(degree, poissons_ratio):
-    """All modes are found in order.
-
-    1e-5: error of the polynomials for the highest of these modes.
+    """All modes are found in order. They agree to a relative 1e-5, the error of the polynomials for
+    the highest mode.
     """
     found = spheroidal_roots(degree, poissons_ratio, COUNT)
     expected = rayleigh_ritz("spheroidal", degree, poissons_ratio, COUNT)
@@ -119,7 +116,7 @@ def test_every_root_is_one_and_none_is_missed(degree):
 @pytest.mark.parametrize(
     ("found", "printed"),
     [
-        # Lamb 1882, as in Love 1927, art. 195-196: k a/pi and, radial, h a/pi, digits as there.
+        # k a/pi and, for radial modes, h a/pi, from Lamb 1882 as in Love 1927, art. 195-196.
         (lambda: toroidal_roots(1, 6), [1.8346, 2.8950, 3.9225, 4.9385, 5.9489, 6.9563]),
         (lambda: toroidal_roots(2, 6), [0.7961, 2.2715, 3.3469, 4.3837, 5.4059, 6.4209]),
         (lambda: radial_roots(0.25, 6), [0.8160, 1.9285, 2.9539, 3.9658, 4.9728, 5.9774]),
@@ -133,13 +130,14 @@ def test_lambs_and_loves_tables(found, printed):
 
 
 def test_toroidal_degree_one_is_the_textbook_equation():
-    """tan x = 3x/(3 - x^2): the shell turns against the core."""
+    """The equation is tan x = 3x/(3 - x^2); the shell rotates against the core."""
     for x in toroidal_roots(1, 5):
         assert np.tan(x) == pytest.approx(3 * x / (3 - x**2), rel=1e-10)
 
 
 def test_modes_of_the_ice_sphere():
-    """R = 10 mm, nu = 1/4, E = 9.3 GPa, 900 kg/m^3, in kHz; see docs/elastic_sphere.md."""
+    """Frequencies [kHz] for R = 10 mm, nu = 1/4, E = 9.3 GPa and 900 kg/m^3; see
+    docs/elastic_sphere.md."""
     ice = read_material("ice")
     table = sphere_modes(ice.youngs_modulus, ice.poissons_ratio, ice.density, 0.01)
     table = table.set_index(["kind", "degree", "overtone"])["frequency"] / 1e3
@@ -169,11 +167,9 @@ def test_impossible_spheres_are_refused(changes, said):
 
 @pytest.mark.parametrize("geometry", GEOMETRIES)
 def test_hertzian_collision_of_the_ice_sphere(geometry, tmp_path):
-    """Duration, largest force and largest overlap with LIGGGHTS' hertz, compared with the
-    closed forms.
-
-    1e-4 at a tenth of the recommended step, which errs by less than 1e-3, at second order; the
-    force is read at the steps only.
+    """Duration, largest force and overlap with LIGGGHTS' hertz agree with the closed forms to a
+    relative 1e-4. A tenth of the recommended step would reduce its error, 1e-3, further, but the
+    largest force is known only at the steps.
     """
     model = CentralImpact("hertz", 0.1, read_material("ice"), 0.01, geometry)
     found = model.run(tmp_path, model.timestep / 10)
@@ -190,7 +186,8 @@ def test_hertzian_collision_of_the_ice_sphere(geometry, tmp_path):
 
 
 def test_duration_is_the_plane_walls_closed_form():
-    """2.943275 R v^(-1/5) (5 pi rho (1-nu^2)/(4 E))^(2/5), a sphere on a rigid plane."""
+    """For a sphere on a rigid plane, the duration is 2.943275 R v^(-1/5) (5 pi rho (1-nu^2)/(4
+    E))^(2/5)."""
     ice = read_material("ice")
     model = CentralImpact("hertz", 0.1, ice, 0.01)
     found = central.hertz_duration(

@@ -28,7 +28,8 @@ def loading(law: laws.Law, overlaps: np.ndarray, name: str) -> np.ndarray:
 def overlaps() -> np.ndarray:
     """Return overlaps from 3 yield overlaps to 0.2 radii; a/R = 0.41 lies between.
 
-    Below, the jump of Jackson and Green's force at 1.9 takes it above Hertz's.
+    For smaller overlaps, the force of Jackson and Green exceeds that of Hertz, because it jumps at
+    1.9.
     """
     pressure = 1.295 * exp(0.736 * 0.3) * STEEL.yield_strength
     overlap_y = RADIUS * (pi * pressure / (2 * bodies(0).youngs_modulus_eff)) ** 2
@@ -37,7 +38,7 @@ def overlaps() -> np.ndarray:
 
 @pytest.mark.parametrize("other", [RIGID, STEEL, laws.Body(5e10, 0.4)])
 def test_without_hardening_it_is_jackson_and_green(other):
-    """Equal to round-off, also between two bodies."""
+    """Both laws are equal to round-off, also between two yielding bodies."""
     law, twin = (kind(bodies(0, other)) for kind in (laws.Ghaednia2019, laws.JacksonGreen))
     for name in ("force", "contact_radius"):
         assert loading(law, overlaps(), name) == pytest.approx(
@@ -46,9 +47,8 @@ def test_without_hardening_it_is_jackson_and_green(other):
 
 
 def test_hardening_brings_it_to_hertz():
-    """Force rises and contact radius falls with the tangent modulus, and Hertz is the limit.
-
-    Up to the change of hardness with the contact radius, the force rises as 1 - exp(-3.3 E_t/E), as
+    """With the tangent modulus, force increases and contact radius decreases towards those of
+    Hertz. While the hardness hardly changes, the force increases by a share 1 - exp(-3.3 E_t/E), as
     in the source.
     """
     hertz = laws.Hertz(bodies(0))
@@ -57,7 +57,7 @@ def test_hardening_brings_it_to_hertz():
         found.append(loading(hertz, overlaps(), name))
         steps = np.diff(found, axis=0)
         assert ((steps > 0) == rising).all(), name
-    small = overlaps()[:10]  # where hardening changes the hardness by less than 1e-3
+    small = overlaps()[:10]  # hardness changes by less than 1e-3
     soft, hard = (loading(laws.Ghaednia2019(bodies(s)), small, "force") for s in (0, 0.05))
     share = (hard - soft) / (loading(hertz, small, "force") - soft)
     assert share == pytest.approx(1 - exp(-3.3 * 0.05), rel=1e-3)

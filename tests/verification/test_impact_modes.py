@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The modes a normal impact can excite."""
+"""Modes that a normal impact can excite."""
 
 from __future__ import annotations
 
@@ -12,7 +12,8 @@ ICE = (9.3e9, 0.25, 900.0, 0.01)
 
 
 def test_all_modes_but_the_toroidal_ones_are_there():
-    """Compared with a table of more degrees and overtones than lie below the frequency."""
+    """The reference is a table with more degrees and overtones than lie below the highest
+    frequency."""
     table = sphere_modes(*ICE, degrees=range(8), overtones=4)
     table = table[(table["kind"] != "toroidal") & (table["frequency"] <= 255e3)]
     found = impact_modes(*ICE, highest=255e3)

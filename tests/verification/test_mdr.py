@@ -22,10 +22,9 @@ PRESSES = [
 
 @pytest.mark.parametrize("table", PRESSES)
 def test_force_is_lammps(table):
-    """Loading, partial unloading, further loading and unloading.
-
-    1e-6 of the force; near the end of unloading 1e-8 of the largest force, because the force is a
-    difference of overlaps.
+    """The path is loading, partial unloading, further loading and unloading. Forces agree to a
+    relative 1e-6, or to 1e-8 of the largest force near the end of unloading, where overlaps nearly
+    cancel.
     """
     row = table.iloc[0]
     body = laws.Body(row["youngs_modulus"], row["poissons_ratio"], row["yield_strength"])
@@ -39,8 +38,8 @@ def test_force_is_lammps(table):
 
 
 def test_energy_guard_acts_just_beyond_yield(paper_pair):
-    """Between 1 and 1.14 yield overlaps, the dissipated work of the published law falls by up
-    to 6 %, and the guard keeps it constant. Beyond, both are equal.
+    """Between 1 and 1.14 overlaps at yield, the plastic work of the published law decreases by up
+    to 6 %, and the energy guard keeps it constant. For larger overlaps, both are equal.
     """
     guarded, published = (laws.Mdr(paper_pair, energy_guard=word) for word in ("on", "off"))
     overlap = np.linspace(0.95, 1.5, 1101) * 7.0925e-6

@@ -14,8 +14,8 @@ from plastigran.materials import RIGID
 
 ELASTIC = laws.Body(7e10, 0.3)
 METAL = laws.Body(7e10, 0.3, 3e8)
-#: Angle from the normal [degrees] and tangential restitution for mu = 0.1 and nu = 0.3: with
-#: infinitely many rings, and incremental in the study of the same equations with 500 steps.
+#: Angle from the normal [degrees], and tangential restitution for mu = 0.1 and nu = 0.3. EXACT is
+#: for infinitely many rings; INCREMENTAL is from a study of these equations with 500 steps.
 ANGLES = [1, 3.7, 6, 9.5, 14, 20, 30]
 EXACT = [0.7699, 0.7388, 0.7093, 0.6472, 0.5923, 0.5829, 0.6536]
 INCREMENTAL = [0.8628, 0.8538, 0.8303, 0.7346, 0.6424, 0.6127, 0.6577]
@@ -36,7 +36,8 @@ def contact(law: str = "hertz", body: laws.Body = ELASTIC, **settings: object) -
     ],
 )
 def test_tangential_restitution(settings, expected, error):
-    """Errors of few rings were measured before; 2e-4 is twice the round-off of the table."""
+    """The errors of few rings were measured before. The tolerance 2e-4 is twice the round-off of
+    the table."""
     outcome = contact(**settings).oblique_impact(3.9, ANGLES)
     assert outcome.tangential_restitution == pytest.approx(np.array(expected), abs=error)
 
@@ -44,7 +45,8 @@ def test_tangential_restitution(settings, expected, error):
 @pytest.mark.parametrize("tangential", ["partial_slip", "incremental"])
 @pytest.mark.parametrize("law", ["hertz", "thornton", "universal", "kogut_etsion"])
 def test_energy_balances(law, tangential):
-    """The kinetic energy falls by friction and plastic work: 2e-3 of it, the error of the steps."""
+    """The lost kinetic energy equals friction and plastic work, within 2e-3 of the initial energy.
+    The steps cause this error."""
     body = ELASTIC if law == "hertz" else METAL
     pair, speed = contact(law, body, tangential=tangential), 2.0
     outcome = pair.oblique_impact(speed, ANGLES)
@@ -70,7 +72,7 @@ def test_impacts_of_any_shape():
 
 
 def test_a_flat_gives_the_spin_of_sliding():
-    """A sphere that slides throughout leaves with R w = 5/2 mu (1 + e) v_n."""
+    """A sphere that slides during the whole impact has a final spin of R w = 5/2 mu (1 + e) v_n."""
     pair = Contact("hertz", "steel", RIGID, radius=0.01, friction=0.1)
     outcome = pair.oblique_impact(1.0, 60.0)
     closing = 0.5

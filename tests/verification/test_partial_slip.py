@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Oblique impacts with partial slip: Cattaneo's contact, sliding throughout, energy."""
+"""Oblique impacts with partial slip, compared with Cattaneo's contact, full sliding and energy."""
 
 from __future__ import annotations
 
@@ -19,10 +19,8 @@ FRICTION = 0.3
 
 @pytest.fixture
 def glass_sphere():
-    """Return a function:
-
-    `glass_sphere(angle)` is the impact of a sphere of 2.5 mm on a rigid plane at 3.9 m/s and an
-    angle from the normal. The normal restitution is 1.
+    """`glass_sphere(angle)` returns an impact of a sphere of radius 2.5 mm on a rigid plane. It has
+    3.9 m/s at an angle from the normal, and a normal restitution of 1.
     """
 
     def make(angle: float) -> ObliqueImpact:
@@ -39,9 +37,8 @@ def glass_sphere():
 
 
 def sheared(shifts: np.ndarray) -> np.ndarray:
-    """Return tangential force / sliding force of a contact with an overlap of 1, after each of
-    several displacements.
-    """
+    """Return the ratio of tangential to sliding force after each displacement, for an overlap of
+    1."""
     rings = Rings(FRICTION, compliance=1.1)
     rings.move(1.0, 0.0)
     forces = []
@@ -52,10 +49,11 @@ def sheared(shifts: np.ndarray) -> np.ndarray:
 
 
 def test_a_contact_sheared_under_a_constant_force_is_cattaneos():
-    """T = mu F (1 - (1 - s/s_max)^(3/2)), s_max = mu E*/(4 G*) overlap: Cattaneo 1938."""
+    """The force is T = mu F (1 - (1 - s/s_max)^(3/2)) with s_max = mu E*/(4 G*) overlap (Cattaneo
+    1938)."""
     share = np.linspace(0.02, 0.98, 25)
     moved = np.diff(share, prepend=0) * FRICTION * 1.1
-    # Rings hold this contact exactly: round-off only.
+    # Rings represent this contact exactly, so only round-off remains.
     assert sheared(moved) == pytest.approx(1 - (1 - share) ** 1.5, rel=1e-12)
 
 
@@ -64,8 +62,8 @@ def test_beyond_its_reach_it_slides_at_the_limit_of_friction():
 
 
 def test_sheared_back_it_follows_mindlin_and_deresiewicz():
-    """Unloading is the loading curve at twice the scale, T* - 2 mu F (1 - (1 - ds/(2 s_max))^1.5):
-    Mindlin & Deresiewicz 1953, J. Appl. Mech. 20:327."""
+    """The curve is that of first shear at twice the scale, T* - 2 mu F (1 - (1 - ds/(2 s_max))^1.5)
+    (Mindlin & Deresiewicz 1953, J. Appl. Mech. 20:327)."""
     reach = FRICTION * 1.1
     back = np.linspace(0.05, 1.0, 12)
     forces = sheared(np.concatenate([[0.7 * reach], -np.diff(back, prepend=0) * reach]))
@@ -75,7 +73,8 @@ def test_sheared_back_it_follows_mindlin_and_deresiewicz():
 
 
 def test_steeply_along_the_surface_it_slides_throughout(glass_sphere):
-    """The sphere leaves as a rigid body that slides; the steps miss 1e-4 of the normal impulse."""
+    """The sphere rebounds like a rigid body that slides; the steps miss 1e-4 of the normal
+    impulse."""
     impact = glass_sphere(60)
     after, rigid = partial_slip(impact), impact.rigid_sliding()
     gained = impact.before.along - rigid.along

@@ -32,7 +32,8 @@ def stronger(factor: float, **rate: float) -> laws.MaterialPair:
 
 
 def test_factor():
-    """1 + C ln(rate/reference) of v/R, to the nearest 1e-4; 1 up to the reference rate."""
+    """The factor is 1 + C ln(rate/reference) with the rate v/R, rounded to 1e-4, and 1 up to the
+    reference rate."""
     speed = np.array([0.0, 1e-5, 1e-4, 2e-4, 0.1, 100.0])
     found = laws.rate_factor(PAIR, RADIUS, speed)
     assert (found[:3] == 1).all()
@@ -45,7 +46,8 @@ def test_factor():
 @pytest.mark.parametrize("name", YIELDING)
 @pytest.mark.parametrize("speed", [0.01, 0.3])
 def test_impact_is_that_of_the_strength_at_its_rate(name, speed, law_between):
-    """1e-9: the strength is multiplied before or after its Hertz-von Mises factor."""
+    """The relative tolerance 1e-9 is round-off: the strength is multiplied before or after its
+    yield pressure factor."""
     factor = laws.rate_factor(PAIR, RADIUS, speed)
     assert factor > 1.05
     found = law_between(name, PAIR, LENGTH).central_impact(RADIUS, MASS, speed)

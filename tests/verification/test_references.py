@@ -16,11 +16,11 @@ from test_cases import CASES, OUTCOMES, impact
 from plastigran import laws
 from plastigran.materials import RIGID, read_material
 
-RADIUS, LENGTH = 0.1, 1.0  # of sphere or cylinder, and of the cylinder; m
+RADIUS, LENGTH = 0.1, 1.0  # radius of sphere or cylinder, length of the cylinder [m]
 #: Largest overlaps, divided by the overlap at which the elastic formula ends.
 PEAKS = (0.5, 0.9, 1.001, 1.05, 1.5, 3, 6.03, 20, 60, 139.3, 1500)
-#: Energies and motion of a reference agree to 1e-9; the default constants of vu_quoc_zhang have six
-#: digits.
+#: Relative tolerance. Energies and motion of a reference agree to 1e-9; the default constants of
+#: `vu_quoc_zhang` have six digits.
 TOLERANCE = dict.fromkeys(impacts.LAWS, 1e-9) | {"vu_quoc_zhang": 3e-6}
 #: Laws whose contact radius other tests check.
 RADIUS_ELSEWHERE = {"hertz", "viscoelastic_hertz", "vu_quoc_zhang", "katta_polycarpou"}
@@ -41,8 +41,8 @@ def test_impacts(case):
 
 
 def options(name: str) -> list[str]:
-    """Return the options of a law: none, each other interpretation of its source, and no energy
-    guard.
+    """Return the options to test for a law: its defaults, each alternative interpretation of its
+    source, and the law without energy guard.
     """
     kind = impacts.reference(name)
     return ["", *kind.readings, *(["energy_guard off"] if kind.energy_guard else [])]
@@ -58,7 +58,7 @@ def options(name: str) -> list[str]:
 def twins(request, law_between):
     """Return a law's name, the law and its reference for a body on a rigid plane.
 
-    A reading of R* and E* shows between two such bodies, of which E* is half.
+    With `reading pair`, both bodies are of the material, so E* is half.
     """
     name, option = request.param
     kind = impacts.reference(name)
@@ -79,7 +79,7 @@ def twins(request, law_between):
 
 
 def test_every_option_is_held(law_name):
-    """Each choice of a law is its default or one that a reference has."""
+    """Each choice of each option of a law is its default, or a choice of its reference."""
     given = [option.split() for option in options(law_name) if option]
     for option in laws.LAWS[law_name].options():
         taken = {choice for name, choice in given if name == option["name"]}
@@ -94,7 +94,7 @@ def peaks(reference) -> np.ndarray:
 
 
 def test_force_on_a_path(twins):
-    """Loading to increasing overlaps, with full unloading between."""
+    """The path loads to increasing overlaps, with full unloading between them."""
     name, law, reference = twins
     share = np.concatenate([np.linspace(0, 1, 7), np.linspace(0.97, 0, 12)])
     path = np.concatenate([peak * share for peak in peaks(reference)])
@@ -107,9 +107,8 @@ def test_force_on_a_path(twins):
 
 
 def test_contact_radius(twins):
-    """During first loading, and where 0.6 of the unloading curve remains.
-
-    1e-6: the slopes of the reference are finite differences.
+    """The radius is compared during first loading, and where 0.6 of the unloading curve remains.
+    The relative tolerance on unloading is 1e-6, because the reference uses finite differences.
     """
     name, law, reference = twins
     if type(reference).contact_radius is Contact.contact_radius:
@@ -128,8 +127,8 @@ def test_contact_radius(twins):
 
 
 def test_energies(twins):
-    """Dissipated and stored energy at the largest overlap, compared with the work of the force
-    by quadrature.
+    """Plastic work and elastic energy at the largest overlap agree with the work of the force by
+    quadrature, relative to the loading work.
     """
     name, law, reference = twins
     for peak in peaks(reference):

@@ -25,23 +25,20 @@ def test_spring_and_slider_without_friction_or_slip():
 
 @pytest.mark.parametrize(("poissons_ratio", "gained"), [(0.1, 0.030), (0.23, 0.004), (0.3, -0.030)])
 def test_sticking_spring_gains_or_loses_energy(poissons_ratio, gained):
-    """A spring that hardly slides: tangential energy gained in the impact, divided by the
-    initial tangential energy.
-
-    The force is k_t(a) times the path, not the sum of its increments: its work depends on when the
-    path was made, for the stiffness grows as the contact does and shrinks with it. Whether the
-    spring pays back more than was put in depends on how many of its swings fit in the contact, thus
-    on k_t over the normal stiffness, 2 (1 - nu)/(2 - nu): it gains for small nu, loses for 0.3.
-
-    5e-4 for the digits given, which are the equations' own.
+    """A spring that hardly slides changes the tangential energy, here relative to the initial one.
+    The force is k_t(a) times the path, and k_t changes with the contact radius a, so the spring
+    does not conserve energy. The change depends on the number of oscillations during the contact,
+    and so on k_t / normal stiffness = 2 (1 - nu)/(2 - nu). It is a gain for small nu and a loss for
+    0.3. The tolerance 5e-4 is the round-off of the expected values, which are results of these
+    equations.
     """
     pair = laws.combine(laws.Body(7e10, poissons_ratio, 1e30, 1.61), RIGID)
     impact = ObliqueImpact(pair, 0.01, 1.0, 50.0, 1.0, Motion(normal=1.0, along=0.3, spin=0.0))
     after = impact.spring_slider()
     energy = 0.5 * after.along**2 + 0.5 * 0.4 * (0.01 * after.spin) ** 2
     assert energy / (0.5 * 0.3**2) - 1 == pytest.approx(gained, abs=5e-4)
-    # What friction gives to spin it takes from the motion along, at the arm R - overlap/2: up to
-    # 0.55 % short of R while 2.5 * 0.17 m/s go to and fro.
+    # Friction changes spin and tangential motion with the lever arm R - overlap/2, which is up to
+    # 0.55 % shorter than R; the speed changes by up to 2.5 * 0.17 m/s.
     assert after.spin * 0.01 == pytest.approx(2.5 * (after.along - 0.3), abs=2.5e-3)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Thornton's law against its closed forms."""
+"""Thornton's law, compared with its closed forms."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from plastigran.physics import central
 
 
 def test_restitution_closed_form(paper_pair, paper_mass):
-    """At every speed. 1e-9: round-off of the closed form near yield."""
+    """Restitution follows the closed form to a relative 1e-9, its round-off near yield."""
     law = laws.Thornton(paper_pair)
     scale = central.yield_speed(paper_pair, 0.1, paper_mass)
     for ratio in [0.5, 0.99, 1.001, *np.geomspace(1.01, 1e4, 40)]:
@@ -20,7 +20,8 @@ def test_restitution_closed_form(paper_pair, paper_mass):
 
 
 def test_yield_speed_constant(paper_pair, paper_mass):
-    """v_y = 3.194 (p_y^5 R*^3/(E*^4 m*))^(1/2), and 1.66963e-3 m/s for the paper's sphere."""
+    """The yield speed is 3.194 (p_y^5 R*^3/(E*^4 m*))^(1/2), and 1.66963e-3 m/s for the paper's
+    sphere."""
     p, e = paper_pair.yield_pressure, paper_pair.youngs_modulus_eff
     found = central.yield_speed(paper_pair, 0.1, paper_mass)
     assert found == pytest.approx(3.193847 * np.sqrt(p**5 * 0.1**3 / (e**4 * paper_mass)), rel=1e-6)
@@ -28,7 +29,8 @@ def test_yield_speed_constant(paper_pair, paper_mass):
 
 
 def test_slope_is_continuous_at_yield(paper_pair):
-    """dF/d(overlap) = pi p_y R* on both sides. 1e-5: difference over 1e-6 of the overlap."""
+    """dF/d(overlap) = pi p_y R* on both sides. The relative tolerance is 1e-5, because the slope is
+    a difference between points 2e-6 of the overlap apart."""
     law = laws.Thornton(paper_pair)
     overlap_y = 0.1 * laws.yield_radius_ratio(paper_pair) ** 2
 

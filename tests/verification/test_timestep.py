@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""At the recommended time step, the error of restitution is at most 1e-3, and 1.2e-3 if the
-force has kinks, for any phase of the step in which a contact begins.
+"""At the recommended time step, the error of restitution is at most 1e-3, or 1.2e-3 if the force
+has kinks. This holds for any phase of the step in which a contact begins.
 """
 
 from __future__ import annotations
@@ -15,8 +15,8 @@ from plastigran import laws
 from plastigran.materials import RIGID
 from plastigran.usable_laws import laws_for
 
-#: Largest relative error of restitution in 600 random impacts by 24 phases each, where it is more
-#: than 1e-3: kinks of the force are not in the estimate.
+#: Largest relative error of restitution in 600 random impacts with 24 phases each, if it exceeds
+#: 1e-3. The estimate of the step does not consider kinks of the force.
 STATED = {
     "vu_quoc_zhang": 1.05e-3,
     "thornton": 1.2e-3,
@@ -72,7 +72,7 @@ def restitution(law, speed: float, step: float, phase: float) -> float:
 
 @pytest.mark.parametrize("name", LAWS)
 def test_restitution_at_the_recommended_step(name):
-    """Also where the force jumps during the impact; a jump shortens the step."""
+    """The error stays in its limit even if the force jumps, which shortens the step."""
     worst = 0.0
     for law, speed in impacts(name, 40, seed=3):
         exact = law.central_impact(RADIUS, MASS, speed).coefficient_of_restitution
@@ -85,10 +85,10 @@ def test_restitution_at_the_recommended_step(name):
 @pytest.mark.parametrize("strength", [1e-7, 1e-6, 1e-5, 1e-4])
 @pytest.mark.parametrize("speed", [1e-2, 1.0, 100.0])
 def test_step_where_the_rebound_is_short(strength, speed):
-    """Far beyond yield the rebound of Vu-Quoc & Zhang is short, down to 1e-14 of the overlap. By
-    a_e^3 = 3 F R*/(4 E*) and a_e^2 = C R* (overlap - overlap_res) its slope is 2 E* C a_e. 2e-3:
-    the law knows a_e to 3e-14 of the overlap, and the slope is taken between two overlaps that are
-    1e-11 apart or more; closer ones are not used."""
+    """Far beyond yield, Vu-Quoc & Zhang's law recovers as little as 1e-14 of the overlap. With
+    a_e^3 = 3 F R*/(4 E*) and a_e^2 = C R* (overlap - overlap_res), the slope of unloading is 2 E* C
+    a_e. The relative tolerance is 2e-3: the error of a_e is 3e-14 of the overlap, and the slope is
+    taken between overlaps that differ by 1e-11 or more."""
     body = laws.Body(youngs_modulus=7e10, poissons_ratio=0.3, yield_strength=7e10 * strength)
     pair = laws.combine(body, RIGID)
     law = laws.VuQuocZhang(pair)
@@ -102,7 +102,7 @@ def test_step_where_the_rebound_is_short(strength, speed):
 
 @pytest.mark.parametrize("name", LAWS)
 def test_step_is_positive(name):
-    """Also for metals and impacts far beyond the range of the law."""
+    """The step is positive even for metals and impacts far beyond the range of the law."""
     for strength in np.geomspace(1e-7, 0.1, 25):
         body = laws.Body(youngs_modulus=7e10, poissons_ratio=0.3, yield_strength=7e10 * strength)
         law = laws.LAWS[name](laws.combine(body, RIGID))

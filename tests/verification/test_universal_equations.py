@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The law `universal` against its equations, and the properties that they guarantee."""
+"""The law `universal`, compared with its equations, and properties that they guarantee."""
 
 from __future__ import annotations
 
@@ -23,8 +23,8 @@ def yield_overlap(pair: laws.MaterialPair) -> float:
 
 
 def test_the_compiled_law_has_the_equations_of_the_fit():
-    """The two are written separately. They agree to round-off for every metal of the table, also
-    for hardening and large a/R."""
+    """The law in C++ and the equations in Python are separate. They agree to round-off for every
+    metal of the table, also for hardening and large a/R."""
     constants = fit(table())
     for _, rows in table().groupby("metal"):
         pair = SphereMetal.of(rows.iloc[0]).pair
@@ -44,7 +44,7 @@ def test_force_and_slope_are_continuous_at_yield():
         overlap = yield_overlap(pair) * np.array([1 - step, 1.0, 1 + step])
         force = laws.Universal(pair).follow(RADIUS, overlap)["force"]
         below, above = np.diff(force) / (force[1] * step)
-        assert below == pytest.approx(1.5, abs=0.5 * step)  # of Hertz; its curvature is 3/4
+        assert below == pytest.approx(1.5, abs=0.5 * step)  # Hertz' slope is 1.5
         assert above == pytest.approx(1.5, abs=0.5 * step)
 
 
@@ -60,5 +60,5 @@ def test_force_and_plastic_work_never_decrease_during_loading(yield_strength_rat
         assert (np.diff(response["force"]) >= 0).all()
         work = response["plastic_work"]
         total = work + response["elastic_energy"]
-        assert (np.diff(work) >= -1e-13 * total[1:]).all()  # round-off of a difference of works
+        assert (np.diff(work) >= -1e-13 * total[1:]).all()  # round-off
         assert (work >= -1e-13 * total).all()

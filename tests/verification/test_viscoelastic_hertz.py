@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Viscoelastic spheres against their Padé form, their equation of motion and their energy."""
+"""Viscoelastic spheres, compared with their Padé form, their equation of motion and energies."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ PAIR = laws.combine(laws.Body(9.3e9, 0.25), RIGID)
 
 
 def constant(number: float, speed: float = SPEED) -> float:
-    """Return the dissipative constant [s] for which an impact of this file's sphere at `speed`
-    has the dimensionless speed v*.
+    """Return the dissipative constant [s] with which this sphere has the dimensionless speed v* =
+    `number` at `speed`.
     """
     return (
         number / central.viscoelastic_number(1.0, RADIUS, MASS, PAIR.youngs_modulus_eff, speed)
@@ -40,7 +40,7 @@ def restitution(number: float) -> float:
 
 @pytest.mark.parametrize("number", [0.05, 0.3, 0.6, 1.0, 2.0, 4.0])
 def test_impact_is_the_equation_of_motion(number):
-    """Two integrators with different variables: 1e-9."""
+    """Two integrators with different variables agree to a relative 1e-9."""
     rate = motion(number**2).y[1]
     assert restitution(number) == pytest.approx(-rate[-1], rel=1e-9)
 
@@ -62,7 +62,8 @@ def test_pade_form_is_as_good_as_it_is(number, off, digit):
 
 
 def test_series_at_low_speed():
-    """1 - e = 1.15345 v*^2 for v* to 0 (Schwager & Pöschel 2008); next comes order v*^4."""
+    """For small v*, 1 - e = 1.15345 v*^2 (Schwager & Pöschel 2008); the next term is of order
+    v*^4."""
     for number in (0.003, 0.01, 0.03):
         lost = 1 - restitution(number)
         assert lost == pytest.approx(1.15345 * number**2, rel=2 * number**2 + 1e-6)
@@ -107,8 +108,8 @@ def test_spheres_part_before_they_stop_overlapping_and_never_pull():
 
 
 def test_energy_ledger_closes():
-    """At every time, the work on the contact equals stored plus dissipated energy, and the
-    dissipated energy grows. 1e-6: Simpson's rule.
+    """At every time, the work on the contact equals elastic plus dissipated energy, and the
+    dissipated energy grows. The tolerance is 1e-6 of the largest work, the error of Simpson's rule.
     """
     number, contact = 0.6, law(0.6)
     overlap_unit = (MASS * SPEED**2 / (4 / 3 * PAIR.youngs_modulus_eff * sqrt(RADIUS))) ** 0.4
@@ -177,7 +178,7 @@ def test_laws_that_yield_need_a_strength_and_the_others_do_not():
 @pytest.mark.parametrize("geometry", GEOMETRIES)
 @pytest.mark.parametrize("number", [0.1, 0.3, 0.6])
 def test_engine_gives_the_pade_form(number, geometry, tmp_path):
-    """At the recommended step. Tolerance: 1e-3 of the step, plus the error of the Padé form."""
+    """The relative tolerance is 1e-3 for the recommended step, plus the error of the Padé form."""
     ice = evolve(read_material("ice"), dissipative_constant=constant(number))
     found = CentralImpact("viscoelastic_hertz", SPEED, ice, RADIUS, geometry).run(tmp_path)
     expected = float(central.viscoelastic_restitution(number))

@@ -1,7 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Vu-Quoc & Zhang's law compared with the paper's dimensional equations,
-references/vu_quoc_zhang.py.
-"""
+"""Vu-Quoc & Zhang's law, compared with the paper's equations in references/vu_quoc_zhang.py."""
 
 from __future__ import annotations
 
@@ -30,7 +28,8 @@ def test_yield_force_is_the_papers(law):
 
 
 def test_default_constants_are_the_papers():
-    """C_a = 2.33e-7 m/N and K_c = 2.69e-4 1/N on this sphere, to the digits kept in the header."""
+    """The defaults correspond to C_a = 2.33e-7 m/N and K_c = 2.69e-4 1/N for this sphere, to the
+    six digits of the header."""
     yield_radius = PAPER.elastic_radius(P_Y)
     defaults = {p["name"]: p["default"] for p in laws.VuQuocZhang.parameters()}
     assert defaults["contact_radius_coefficient"] == pytest.approx(
@@ -42,10 +41,9 @@ def test_default_constants_are_the_papers():
 @settings(max_examples=max(100, settings.default.max_examples))
 @given(turns=st.lists(st.floats(0, 1), min_size=1, max_size=6))
 def test_follows_the_paper_on_any_path(turns):
-    """Loading, unloading and reloading up to 300 P_Y.
-
-    3e-6 of the largest force: the header's constants have six digits, and near the residual overlap
-    the force is a difference to the power 3/2.
+    """The path has loading, unloading and reloading up to 300 P_Y. Forces agree to 3e-6 of the
+    largest force. The constants of the header have six digits, and near the residual overlap the
+    force is a difference to the power 3/2.
     """
     pair = laws.combine(laws.Body(7e10, 0.3, 1e8, 1.61), laws.Body(1e30, 0.3, 1e30, 1.61))
     reach = PAPER.overlap_under(300 * P_Y)
@@ -78,7 +76,8 @@ def test_force_driven_form_unloads_alike(law):
 
 
 def test_restitution_is_the_papers(law, paper_mass):
-    """0.4773 at 0.20 m/s. 1e-3: time-step error of the simulation in the paper."""
+    """The paper has 0.4773 at 0.20 m/s. The relative tolerance 1e-3 is the time-step error of its
+    simulation."""
     found = law.central_impact(RADIUS, paper_mass, 0.2).coefficient_of_restitution
     assert found == pytest.approx(0.4773, rel=1e-3)
 
@@ -100,7 +99,7 @@ def test_size_and_material_drop_out(radius, youngs_modulus, density, yield_stren
         law.central_impact(radius / 2, mass, ratio * scale).coefficient_of_restitution
         for ratio in (12, 36, 60, 120)
     ]
-    # Four systems, energy quadrature and integration of the motion.
+    # The expected values come from energy quadrature and from the equation of motion.
     assert found == pytest.approx([0.838088, 0.700752, 0.614279, 0.477322], rel=2e-6)
 
 

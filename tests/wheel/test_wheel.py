@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The wheel in an environment without LIGGGHTS and without the source tree.
 
-The environment uses the libraries of the one that runs the tests. `./run wheel` gives another one
-with libraries from the network, in $PLASTIGRAN_WHEEL_VENV.
+The environment uses the libraries of the environment that runs the tests. `./run wheel` creates
+another one with downloaded libraries, and passes it in $PLASTIGRAN_WHEEL_VENV.
 """
 
 from __future__ import annotations
@@ -46,14 +46,14 @@ except Exception as error:
 
 
 def free_of_the_project() -> dict[str, str]:
-    """The variables of the environment without LIGGGHTS and without a path to this tree."""
+    """Return the environment variables without LIGGGHTS and without a path to this tree."""
     variables = {k: v for k, v in os.environ.items() if not k.startswith(("PLASTIGRAN", "PYTHON"))}
     return variables | {"PATH": "/usr/bin:/bin", "MPLBACKEND": "agg"}
 
 
 @pytest.fixture(scope="session")
 def wheel(tmp_path_factory) -> Path:
-    """The wheel; its build shares the folder of the build of the environment's own package."""
+    """The wheel; it is built in the build folder of the installed package."""
     folder = tmp_path_factory.mktemp("wheel")
     build = ["pip", "wheel", "-q", "--no-build-isolation", "--no-deps", "--no-index"]
     with open(PROJECT / "build" / "wheel.lock", "w") as lock:
@@ -65,7 +65,7 @@ def wheel(tmp_path_factory) -> Path:
 
 @pytest.fixture(scope="session")
 def here(wheel, tmp_path_factory) -> Path:
-    """The folder of an environment that has the wheel."""
+    """Folder of an environment in which the wheel is installed."""
     if clean := os.environ.get("PLASTIGRAN_WHEEL_VENV"):
         return Path(clean)
     folder = tmp_path_factory.mktemp("environment")
@@ -75,15 +75,15 @@ def here(wheel, tmp_path_factory) -> Path:
     subprocess.run(
         [sys.executable, "-m", "pip", "--python", folder / "bin/python", *install], check=True
     )
-    # Python searches the folders of a .pth file after that of the wheel, and ignores their own .pth
-    # files, one of which has the path to this tree.
+    # Python searches the folders of a .pth file after the folder of the wheel. It ignores .pth
+    # files in these folders, one of which has the path to this tree.
     (target / "libraries.pth").write_text("\n".join(site.getsitepackages()) + "\n")
     return folder
 
 
 @pytest.fixture
 def run(here, tmp_path):
-    """Run a program of the environment in an empty folder."""
+    """Runs a program of the environment in an empty folder."""
 
     def start(program: str, *words: str) -> subprocess.CompletedProcess:
         line = [here / "bin" / program, *words]
@@ -103,7 +103,7 @@ def test_one_wheel_serves_every_python_from_3_11(wheel):
 
 
 def test_all_imported_libraries_are_required():
-    """Each imported library is a dependency, or one of an extra."""
+    """Each imported library is a dependency, or a dependency of an extra."""
     required = {canonicalize_name(Requirement(line).name) for line in requires("plastigran")}
     distributions, missing = packages_distributions(), set()
     for path in (PROJECT / "postprocess" / "plastigran").rglob("*.py"):

@@ -1,7 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Central impact by the equations of a law, computed in two ways: from energies and from the
-motion.
-"""
+"""Central impact by the equations of a law, computed from energies and from the motion."""
 
 from __future__ import annotations
 
@@ -18,9 +16,7 @@ from scipy.optimize import brentq
 
 @dataclass(frozen=True)
 class Outcome:
-    """Outcome of an impact: restitution [-], force [N], overlaps [m], time [s], as in the
-    tables of cases.
-    """
+    """Outcome of an impact: restitution [-], force [N], overlaps [m] and time [s]."""
 
     coefficient_of_restitution: float
     force_max: float
@@ -29,7 +25,8 @@ class Outcome:
     contact_time: float
 
     def agrees_with(self, other: Outcome) -> bool:
-        """Compare all numbers to 1e-9; the residual overlap to 1e-9 of the largest overlap."""
+        """Return whether all numbers agree to a relative 1e-9; the residual overlap is compared
+        relative to the largest overlap."""
         scale = astuple(replace(self, overlap_res=self.overlap_max))
         off = np.abs(np.subtract(astuple(self), astuple(other)))
         return bool((off <= 1e-9 * np.array(scale)).all())
@@ -39,8 +36,8 @@ class CentralImpact(Contact):
     """Central impact of a sphere on a rigid plane; each reference is a subclass.
 
     Attributes:
-        cases: Impacts to compare, a table of CSV.
-        material_name: Of the material on whose paths the law is held.
+        cases: Impacts to compare, as a table in CSV format.
+        material_name: Material for which the law is compared on loading paths.
     """
 
     cases = """\
@@ -70,7 +67,7 @@ aluminium_zv02,0.1,0.20
         return brentq(lambda x: self.loading_work(x) - energy, 0, reach, xtol=1e-30, rtol=1e-15)
 
     def by_energies(self) -> Outcome:
-        """Compute work and time by quadrature."""
+        """Return the outcome from work and time, which are computed by quadrature."""
         top, energy = self.overlap_max, 0.5 * self.mass * self.speed**2
         force_max, (recovery, shape) = self.loading_force(top), self.rebound(top)
         returned = force_max * recovery * work(shape, 0, 1)
@@ -82,14 +79,14 @@ aluminium_zv02,0.1,0.20
             else:
                 time += self.duration(force, begin, top)
                 break
-        # Unloading, in terms of the remaining fraction of the recovery.
+        # The variable of unloading is the remaining fraction of the recovered overlap.
         time += recovery * self.duration(lambda left: force_max * recovery * shape(left), 0, 1)
         return Outcome(sqrt(returned / energy), force_max, top, top - recovery, time)
 
     def duration(self, force: Callable, begin: float, end: float, kinetic: float = 0) -> float:
-        """Return the time [s] between two overlaps [m], given the kinetic energy [J] at the
-        second one. The integral over the root of the remaining distance has no singularity at a
-        turning point.
+        """Return the time [s] between two overlaps [m], with the kinetic energy [J] at `end`. The
+        integration variable is the root of the remaining distance, which removes the singularity at
+        a turning point.
         """
 
         def pace(root: float) -> float:
@@ -99,7 +96,8 @@ aluminium_zv02,0.1,0.20
         return quad(pace, 0, sqrt(end - begin), epsabs=0, epsrel=1e-11, limit=200)[0]
 
     def by_motion(self) -> Outcome:
-        """Integrate the equation of motion by DOP853 in dimensionless variables.
+        """Return the outcome from the equation of motion, integrated by DOP853 in dimensionless
+        variables.
 
         The integration stops where one formula of the force ends, so no step crosses a jump.
         """
@@ -123,9 +121,8 @@ aluminium_zv02,0.1,0.20
 
 
 def motion(begin, force: Callable, *ends: float) -> tuple[float, np.ndarray]:
-    """Return duration, and overlap and rate at the end, of the motion of a unit mass against a
-    force. The motion ends where the overlap reaches the first limit or the rate reaches the
-    second.
+    """Move a unit mass against a force; return the duration and the final [overlap, rate]. The
+    motion ends when the overlap reaches ends[0] or the rate reaches ends[1].
     """
     events = [lambda _, y, i=i, end=end: y[i] - end for i, end in enumerate(ends)]
     for event in events:

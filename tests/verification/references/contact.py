@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A contact law as its source prints it, with dimensions. Nothing here uses the compiled laws."""
+"""A contact law as printed in its source, in SI units, without use of the compiled laws."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ from scipy.optimize import minimize_scalar
 
 @dataclass(frozen=True)
 class Material:
-    """A body on a rigid plane: elastic constants [Pa, -], density [kg/m^3], uniaxial yield
-    strength [Pa], yield pressure / yield strength, constants of a law, tangent modulus [Pa].
+    """Constants of a body: Young's modulus [Pa], Poisson's ratio, density [kg/m^3], uniaxial yield
+    strength [Pa], yield pressure / yield strength, dissipative constant [s], tangent modulus [Pa].
     """
 
     youngs_modulus: float
@@ -43,7 +43,7 @@ MATERIALS = {
     "aluminium_zv02": Material(7e10, 0.3, 2699.0, 1e8, 1.61),
     # Katta & Polycarpou 2010, J. Tribol. 132: E* of the pair is 83.96 GPa.
     "glass_kp10": Material(83.96e9 * (1 - 0.23**2), 0.23, 2500.0, 2.41e9),
-    # EN 1993-1-1, 3.2; hardening of EN 1993-1-5, annex C.6: E/100.
+    # EN 1993-1-1, 3.2; tangent modulus E/100 from EN 1993-1-5, annex C.6.
     "steel_s355": Material(2.1e11, 0.3, 7850.0, 3.55e8, tangent_modulus=2.1e9),
     # Rounded constants of ice; A fitted to Bridges, Hatzes & Lin 1984, Nature 309:333.
     "ice": Material(9.3e9, 0.25, 900.0, dissipative_constant=1e-4),
@@ -59,12 +59,12 @@ class Contact:
     """Contact of a sphere, or of the body of a subclass, with a rigid plane.
 
     Attributes:
-        pieces: Ends [m] of the formulas of first loading, and the formulas, ascending. The
-            first is elastic; the last ends at infinity. A subclass sets them.
-        energy_guard: Whether the rebound is shortened where the work lost would fall as the contact
-            is pressed further.
-        readings: Other readings of the source, each an option or a constant and its value.
-        reading: The one taken; empty for the usual one.
+        pieces: Formulas of first loading in ascending order, as pairs of the overlap [m] at which a
+            formula ends and the formula. The first is elastic; the last ends at infinity.
+        energy_guard: Whether the recovery is reduced where plastic work would decrease during
+            loading.
+        readings: Other interpretations of the source, each as an option or constant with its value.
+        reading: Interpretation in use; empty for the default.
     """
 
     pieces: list[tuple[float, Callable]]
@@ -80,18 +80,15 @@ class Contact:
         return 4 / 3 * self.material.modulus * sqrt(self.radius) * overlap**1.5
 
     def overlap_at(self, pressure: float) -> float:
-        """Return the overlap [m] at which Hertz' largest pressure has a value [Pa]:
-
-        R* (pi p/2E*)^2.
-        """
+        """Return the overlap [m], R* (pi p/2E*)^2, at which Hertz' largest pressure is p [Pa]."""
         return self.radius * (pi * pressure / (2 * self.material.modulus)) ** 2
 
     def published_rebound(self, overlap_max: float) -> tuple[float, Callable]:
-        """Return the source's unloading curve from a largest overlap [m] beyond yield.
+        """Return the unloading curve of the source from a largest overlap [m] beyond yield.
 
         Returns:
-            The recovered overlap [m], and a function for the force over the largest force. Its
-            argument is the remaining part of the recovered overlap, from 1 to 0.
+            The recovered overlap [m], and a function for force / largest force. Its argument is the
+            remaining fraction of the recovered overlap, from 1 to 0.
         """
         raise NotImplementedError
 
@@ -101,8 +98,8 @@ class Contact:
 
     def released_radius(self, left: float, shape: Callable) -> float:
         """Return contact radius / largest contact radius at a remaining fraction of the
-        unloading curve `shape`. As for Hertz, it is proportional to the slope of the force.
-        Differences give it to 1e-8.
+        unloading curve `shape`. As for Hertz, the contact radius is proportional to the slope of
+        the force. Finite differences have an error of 1e-8.
         """
         step = 1e-4
 
@@ -116,9 +113,7 @@ class Contact:
 
     @cached_property
     def works(self) -> list[tuple[float, float]]:
-        """Return the overlap [m] at which each formula begins, and the work of first loading up
-        to there [J].
-        """
+        """Return the overlap [m] at which each formula begins, and the loading work to it [J]."""
         found = [(0.0, 0.0)]
         for end, force in self.pieces[:-1]:
             begin, before = found[-1]
@@ -154,8 +149,8 @@ class Contact:
         return self.loading_work(overlap_max) - returned
 
     def largest_loss(self, reach: float) -> float:
-        """Return the largest dissipated work [J] during loading to an overlap: a scan that is
-        refined at its maximum.
+        """Return the largest plastic work [J] of the published law during loading to `reach`. It is
+        the maximum of a scan, refined.
         """
         breaks = [end * side for end, _ in self.pieces for side in (1, 1 + 1e-12)]
         scan = {*np.geomspace(breaks[1], reach, 40)[:-1], *breaks, reach}

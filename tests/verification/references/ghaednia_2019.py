@@ -1,14 +1,16 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """H. Ghaednia, M. R. W. Brake, M. Berryhill & R. L. Jackson, J. Tribol. 141 (2019) 031402.
 
-With a tangent modulus E_t, e = E_t/E; Jackson & Green's d_c, F_c, a_p and H/Y. Beyond x = 1.9:
+The metal has a tangent modulus E_t, with e = E_t/E; d_c, F_c, a_p and H/Y are those of Jackson &
+Green. Beyond x = 1.9:
 
-    F = F_p + (F_H - F_p)(1 - exp(-3.3 e)),  F_p Jackson & Green's with H at this a
+    F = F_p + (F_H - F_p)(1 - exp(-3.3 e)),  F_p of Jackson & Green with H at this a
     a = a_e + (a_p - a_e) exp(U),  a_e = sqrt(R* d)
     U = -2 sqrt(E/Y) e^(1 - (d - d_c)/R*) / ((4 - 3 exp(-2 sqrt(E/Y) e)) (1 - e)), 0 for e = 0
 
-Rebound of Brake, Int. J. Solids Struct. 62 (2015) 104: d_r = d_m (1 - F_m/F_H(d_m)), then Hertz
-with the radius that meets F_m. Another one: Etsion, Kligerman & Kadin, ibid. 42 (2005) 3716.
+Unloading follows Brake, Int. J. Solids Struct. 62 (2015) 104: d_r = d_m (1 - F_m/F_H(d_m)), then
+Hertz with the radius that gives F_m at d_m. The other option is Etsion, Kligerman & Kadin, Int. J.
+Solids Struct. 42 (2005) 3716.
 """
 
 from __future__ import annotations
@@ -42,7 +44,7 @@ steel_s355,0.01,2.0
         return elastic + (plastic - elastic) * np.exp(power)
 
     def released_radius(self, left, shape):
-        return np.sqrt(left)  # of both readings, as in kogut_etsion
+        return np.sqrt(left)  # both options, as in kogut_etsion
 
     def hardness_ratio(self, x):
         """Return 4 H/(C Y)."""

@@ -25,11 +25,8 @@ def reference(law: str) -> type[CentralImpact]:
 
 
 def jumps(law: str) -> list[tuple[float, float]]:
-    """Return the overlaps at which one formula of first loading ends and the next begins with
-    another force.
-
-    Each jump has its overlap divided by that at yield, and its share of the force, for the first
-    impact of the law.
+    """Return the jumps of the force during first loading, for the first impact of the law. A jump
+    has its overlap, divided by the overlap at yield, and the relative change of the force.
     """
     impact, places = _impact(law, rows(law)[0]), []
     for (end, before), (_, beyond) in pairwise(impact.pieces):
@@ -54,11 +51,11 @@ def _impact(law: str, row: dict[str, str | float]) -> CentralImpact:
 
 @cache
 def outcome(law: str, index: int) -> Outcome:
-    """Return the outcome of an impact; energies and motion give the same.
+    """Return the outcome of an impact, which energies and motion must give alike.
 
     Raises:
-        ValueError: The two ways do not agree to 1e-9, or the elastic range leaves no rebound to
-            ask for.
+        ValueError: Energies and motion do not agree to 1e-9, or the end of the elastic formula is
+            wrong.
     """
     row = rows(law)[index]
     impact = _impact(law, row)

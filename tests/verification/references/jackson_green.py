@@ -10,8 +10,8 @@ x = 1.9:
     H/Y = 2.84 - 0.92 (1 - cos(pi a/R*)),  a^2 = R* d (x/1.9)^B,  B = 0.14 exp(23 Y/E*)
     d_r = 1.02 d_m (1 - ((x_m + 5.9)/6.9)^-0.54),  F = F_m y^1.5
 
-The hardness of 2005 is another reading: H/Y = 2.84 (1 - exp(-0.82 (a/R*)^-0.7)). For two bodies R*
-and E* are the pair's in the reading pair.
+With the option `hardness exponential`, H/Y = 2.84 (1 - exp(-0.82 (a/R*)^-0.7)), as in 2005. With
+`reading pair`, R* and E* are those of the pair.
 """
 
 from __future__ import annotations

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""R. R. Katta & A. A. Polycarpou, J. Tribol. 132 (2010): Lim & Stronge's loading, another rebound.
+"""R. R. Katta & A. A. Polycarpou, J. Tribol. 132 (2010): loading as Lim & Stronge, other unloading.
 
     d_r = a_r^2/(2 R_b),  a_r^2 = a_m^2 - a_el^2,  a_el^2 = 4 q_m/(1/R + 1/R_b)
     x = y (1 - ln(y)/C'),  C' = ln(4 D^2/a_m^2) - kappa
 
-with y = F/F_m and x the share of the way d_m - d_r that is left.
+with y = F/F_m and the remaining fraction x of the recovered overlap d_m - d_r.
 """
 
 from __future__ import annotations

@@ -7,7 +7,7 @@ K = 0.454 + 0.41 nu, H = 2.8 Y, d_c = R* (pi K H/2E*)^2, F_c = 2/3 pi K H R* d_c
     F/F_c = x^1.5 up to 1, 1.03 x^1.425 up to 6, then 1.40 x^1.263
     d_r = d_m (1 - x_m^-0.28) (1 - x_m^-0.69),  F = F_m y^n,  n = 1.5 x_m^-0.0331
 
-Beyond x = 110 the last power law goes on, or the contact is fully plastic: F = 2 pi R* d H.
+Beyond x = 110, the last power law continues. With `fully_plastic on`, F = 2 pi R* d H there.
 """
 
 from __future__ import annotations
@@ -46,11 +46,11 @@ class Reference(CentralImpact):
         x = overlap / self.overlap_c
         if self.reading == "fully_plastic on" and x > 110:
             return sqrt(2 * self.radius * overlap)
-        area = 0.93 * x**1.136 if x <= 6 else 0.94 * x**1.146  # over pi R* d_c
+        area = 0.93 * x**1.136 if x <= 6 else 0.94 * x**1.146  # area / (pi R* d_c)
         return sqrt(self.radius * self.overlap_c * area)
 
     def released_radius(self, left, shape):
-        return sqrt(left)  # no source has it: as Hertz's, whatever the power of the force
+        return sqrt(left)  # not in the source: as for Hertz, for any exponent of the force
 
     def published_rebound(self, overlap_max):
         x = overlap_max / self.overlap_c

@@ -2,12 +2,12 @@
 """L. Kogut & K. Komvopoulos, J. Mater. Res. 19 (2004) 3641; Ghaednia et al., Int. J. Impact Eng. 86
 (2015) 307, eqs 20-22.
 
-r'^2 = d (2R* - d), t = d/r'. Hertz up to (E*/Y) t = 1.78, then
+With r'^2 = d (2R* - d) and t = d/r', the contact is Hertzian up to (E*/Y) t = 1.78, then
 
     F = pi r'^2 Y (0.839 + ln((E*/Y)^0.656 t^0.651))/(2.192 - ln((E*/Y)^0.394 t^0.419))
     d_m - d_r = 0.591 (E*/Y)^-0.156 d_m,  F = F_m y^1.5
 
-The denominator is held at 0.71.
+The denominator is at least 0.71.
 """
 
 from __future__ import annotations

@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""W. Zunker & K. Kamrin, J. Mech. Phys. Solids 183 (2024) 105492, one contact without adhesion.
+"""W. Zunker & K. Kamrin, J. Mech. Phys. Solids 183 (2024) 105492, a single contact without
+adhesion.
 
-A sphere on a rigid flat is mapped to an elliptical indenter of height A and width B that sinks d_e
-into a bed of springs, E' = E/(1 - nu^2):
+A sphere on a rigid flat is mapped to an elliptical indenter of height A and width B. It sinks by
+d_e into a bed of springs with E' = E/(1 - nu^2):
 
     F = E' A B/4 [acos(1 - 2 d_e/A) - (1 - 2 d_e/A) sqrt(4 d_e/A - 4 d_e^2/A^2)]
 
-Elastic, A = 4R, B = 2R, d_e = d, while 4 E' sqrt(d)/(3 pi sqrt R) <= p(d), up to d_Y, where
-p(d) = Y (1.75 exp(-4.4 d/R) + 1). Beyond, for the largest overlap d_m:
+The contact is elastic, with A = 4R, B = 2R and d_e = d, while 4 E' sqrt(d)/(3 pi sqrt R) <= p(d),
+that is up to d_Y, with p(d) = Y (1.75 exp(-4.4 d/R) + 1). Beyond, with the largest overlap d_m:
 
     a^2 = 2 d_m R - d_m^2 + d_Y^2 - d_Y R,  A = 4 p(d_m) a/E',  B = 2 a
     d_e = (d - d_m + A/2 + d_R)/(1 + 2 d_R/A)
@@ -51,8 +52,8 @@ aluminium_zv02,0.1,0.20
         return self.material.yield_strength * (1.75 * np.exp(-4.4 * overlap / self.radius) + 1)
 
     def mapped(self, overlap, height, width):
-        """Force [N] on the elliptical indenter; acos(1 - 2q) - (1 - 2q) sqrt(4q - 4q^2), which
-        cancels where q = d_e/A is small, is 16/3 q^1.5 2F1(-1/2, 3/2; 5/2; q)."""
+        """Return the force on the elliptical indenter [N]. With q = d_e/A, acos(1 - 2q) - (1 - 2q)
+        sqrt(4q - 4q^2) cancels for small q; it equals 16/3 q^1.5 2F1(-1/2, 3/2; 5/2; q)."""
         share = overlap / height
         shape = 16 / 3 * share**1.5 * hyp2f1(-0.5, 1.5, 2.5, share)
         return self.material.modulus * height * width / 4 * shape

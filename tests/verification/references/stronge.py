@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """W. J. Stronge, Impact Mechanics, Cambridge University Press (2000), ch. 6.
 
-Yield at a mean pressure of 1.1 Y: a_Y = 3 pi/4 1.1 Y R*/E*, d_Y = a_Y^2/R*, F_Y = 1.1 Y pi a_Y^2.
-With q = 2 d/d_Y - 1 the force is F_Y q (1 + ln q/3.3) up to a mean pressure of 2.8 Y, which then
-stays. The rebound is F = F_m y^1.5 with d_m - d_r = d_Y sqrt(q_m) in the book. Other readings keep
-the contact area, 3 F_m/(4 E* a_m) with a_m^2 = q_m a_Y^2, or the sphere's radius,
-(3 F_m/(4 E* sqrt(R*)))^(2/3); d_r is not below 0.
+Yield is at a mean pressure of 1.1 Y: a_Y = 3 pi/4 1.1 Y R*/E*, d_Y = a_Y^2/R*, F_Y = 1.1 Y pi
+a_Y^2. With q = 2 d/d_Y - 1, the force is F_Y q (1 + ln q/3.3) up to a mean pressure of 2.8 Y, which
+then stays constant. Unloading is F = F_m y^1.5 with d_m - d_r = d_Y sqrt(q_m) in the book. The
+option `unloading area` has 3 F_m/(4 E* a_m) with a_m^2 = q_m a_Y^2, and `unloading original_radius`
+has (3 F_m/(4 E* sqrt(R*)))^(2/3). d_r is at least 0.
 """
 
 from __future__ import annotations

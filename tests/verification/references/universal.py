@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""docs/laws/universal.md, for a perfectly plastic sphere of radius R and modulus E' on a plane.
+"""Equations of docs/laws/universal.md for a perfectly plastic sphere of radius R and modulus E' on
+a rigid plane.
 
-With d_y = R (pi p_y/2E')^2, F_y and a_y Hertz's there, t = sqrt(d/d_y), s = t - 1, w = p_y over
-p_y(nu = 0.3) at the same yield strength, r = a_y/R:
+d_y = R (pi p_y/2E')^2, with Hertz' F_y and a_y at d_y; t = sqrt(d/d_y), s = t - 1, r = a_y/R; w is
+p_y divided by p_y(nu = 0.3) at the same yield strength:
 
     S = t (6.791 + w s)/(6.791 + s) - 1,  Z = (rS)^2/(1 + rS)
     F_y t^3/F = 1 + 0.1253 S^2 (S + 11.91)/((S + 8.355)(S + 1.114)) (1 + 3.802 Z)
@@ -10,7 +11,7 @@ p_y(nu = 0.3) at the same yield strength, r = a_y/R:
     D = 0.1902 S^2/(S^2 + 0.6156 S + 0.359)
     d_m - d_r = (1 - D) 3 F_m/(4 E' a_m),  F = F_m y^1.5 (1 + g)/(1 + g sqrt(y)),  g = 3.642 D
 
-Of a dented flat, which has no radius, Z = 0.
+For a yielding flat, Z = 0.
 """
 
 from __future__ import annotations
@@ -21,8 +22,8 @@ import numpy as np
 from references import thornton
 from references.central_impact import CentralImpact
 
-#: p_y/sigma_Y of a Hertzian contact at nu = 0.3 (Johnson, Contact Mechanics, 1985, sec. 4.1): the
-#: inverse of the largest 1.5/(1 + z^2) - 1.3 (1 - z atan(1/z)).
+#: p_y/sigma_Y of a Hertzian contact at nu = 0.3 (Johnson, Contact Mechanics, 1985, sec. 4.1), the
+#: inverse of the largest 1.5/(1 + z^2) - 1.3 (1 - z atan(1/z)) at depths z / contact radius.
 DEPTHS = np.linspace(0.47, 0.49, 2_000_001)
 AT_NU_03 = 1 / float(np.max(1.5 / (1 + DEPTHS**2) - 1.3 * (1 - DEPTHS * np.arctan(1 / DEPTHS))))
 

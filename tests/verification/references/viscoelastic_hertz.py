@@ -2,12 +2,14 @@
 """G. Kuwabara & K. Kono, Jpn. J. Appl. Phys. 26 (1987) 1230; N. V. Brilliantov et al., Phys. Rev. E
 53 (1996) 5382.
 
-F = rho_k (d^1.5 + 1.5 A sqrt(d) d'), rho_k = 4/3 E* sqrt(R*), until it vanishes. With the speed and
-(m v^2/rho_k)^(2/5) as units the motion knows b = 1.5 A (rho_k/m)^(2/5) v^(1/5) = v*^2 alone:
+The force is F = rho_k (d^1.5 + 1.5 A sqrt(d) d') with rho_k = 4/3 E* sqrt(R*), until it vanishes.
+With units of speed and of (m v^2/rho_k)^(2/5), the motion depends only on b = 1.5 A (rho_k/m)^(2/5)
+v^(1/5) = v*^2:
 
     d'' = -f,  f = sqrt(d) (d + b d')
 
-No energy quadrature gives its outcome; the other way takes r = d'/d for the time.
+Energies do not give the outcome by quadrature. So the second computation uses r = d'/d as variable
+instead of time.
 """
 
 from __future__ import annotations
@@ -23,8 +25,8 @@ TIGHT = {"method": "DOP853", "dense_output": True, "rtol": 1e-12, "atol": 1e-15}
 
 
 def motion(b: float):
-    """Return the solution for sqrt(d), d' and time as functions of s, with dt = sqrt(d) ds,
-    which has no square root.
+    """Return the solution for sqrt(d), d' and time as functions of s. With dt = sqrt(d) ds, the
+    equations contain no square root.
     """
 
     def slope(_, y):
@@ -88,9 +90,9 @@ ice,0.01,0.02
 
     def __init__(self, material, radius, speed):
         super().__init__(material, radius, speed)
-        self.pieces = [(inf, self.hertz)]  # of a contact at rest
+        self.pieces = [(inf, self.hertz)]  # contact at rest
         stiffness = 4 / 3 * material.modulus * sqrt(radius)
-        self.unit = (self.mass * speed**2 / stiffness) ** 0.4  # of the overlap
+        self.unit = (self.mass * speed**2 / stiffness) ** 0.4  # unit of overlap
         self.number = sqrt(1.5 * material.dissipative_constant * speed / self.unit)  # v*
 
     def two_ways(self):

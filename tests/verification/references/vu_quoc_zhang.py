@@ -2,13 +2,13 @@
 """L. Vu-Quoc & X. Zhang, Proc. R. Soc. A 455 (1999) 4013; X. Zhang & L. Vu-Quoc, Int. J. Impact
 Eng. 27 (2002) 317, eqs 4.1-4.9, as total overlap.
 
-Given the force, beyond P_Y = pi^3 R*^2 p_y^3/(6 E*^2):
+The law gives the overlap as a function of the force. Beyond P_Y = pi^3 R*^2 p_y^3/(6 E*^2):
 
     d = (a_e + a_p)^2/(C_R R*),  a_e^3 = 3 F R*/(4 E*),  a_p = C_a (F - P_Y),
     C_R = 1 + K_c (F - P_Y)
 
-The rebound keeps a_p and C_R: d_m - d_r = a_e,m^2/(C_R R*), F = F_m y^1.5. C_a and K_c are those of
-the paper's aluminium sphere of 0.1 m and serve for no other.
+During unloading, a_p and C_R are constant: d_m - d_r = a_e,m^2/(C_R R*), F = F_m y^1.5. C_a and K_c
+are valid only for the aluminum sphere of the paper, with a radius of 0.1 m.
 """
 
 from __future__ import annotations

@@ -2,12 +2,12 @@
 """N. Ye & K. Komvopoulos, J. Tribol. 125 (2003) 685; Ghaednia et al., Int. J. Impact Eng. 86 (2015)
 307, eqs 23-27.
 
-r'^2 = d (2R* - d), Q = (E*/Y) d/r'. Hertz up to Q = 1.78, then F = p A:
+With r'^2 = d (2R* - d) and Q = (E*/Y) d/r', the contact is Hertzian up to Q = 1.78, then F = p A:
 
     p = Y (0.70 ln Q + 0.66), from Q = 21 on 2.9 Y
     A = pi r'^2/(0.05 ln^2 Q - 0.57 ln Q + 2.41), from Q = 400 on pi r'^2/0.71
 
-The residual overlap is Jackson & Green's, 0 up to their 1.9 d_c; F = F_m y^1.5.
+The residual overlap is that of Jackson & Green, which is 0 up to 1.9 d_c; F = F_m y^1.5.
 """
 
 from __future__ import annotations
