@@ -1,39 +1,56 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "lammps/contact_tally.h"
 
-#include <algorithm>
-
 #include "atom.h"
 #include "force.h"
 #include "lammps.h"
 
 namespace plastigran {
 
-void ContactTally::begin(LAMMPS_NS::LAMMPS* lammps, bool clears_ghosts) {
+using LAMMPS_NS::Granular_NS::GranularModel;
+
+void ContactTally::begin(LAMMPS_NS::LAMMPS* lammps) {
   LAMMPS_NS::Atom* const atom = lammps->atom;
   active_ = true;
   newton_ = lammps->force->newton_pair;
   nlocal_ = atom->nlocal;
   velocities_ = atom->nmax > 0 ? atom->v[0] : nullptr;
+  balance_ = EnergyBalance::of(lammps);
   contacts = elastic_energy = surface_energy = 0;
-  for (int k = 0; k < 2; ++k) {
-    int is_double, columns;
-    const int at = atom->find_custom(particle_values[k], is_double, columns);
-    dissipated_[k] = at >= 0 && is_double == 1 && columns == 0 ? atom->dvector[at] : nullptr;
-    if (dissipated_[k] && clears_ghosts) std::fill_n(dissipated_[k] + nlocal_, atom->nghost, 0.0);
-  }
+  force_on_wall = {};
 }
 
-// Each particle of a pair gets half. With `newton off`, the other rank adds the half of the ghost.
-void ContactTally::add_dissipated(const LAMMPS_NS::Granular_NS::GranularModel& contact,
-                                  const Dissipated& dissipated) {
+// Each particle of a pair gets half of the plastic work. With `newton off`, the other rank adds the
+// half of the ghost.
+void ContactTally::add_dissipated(const GranularModel& contact, double plastic_work,
+                                  double adhesion_loss) {
   const bool is_pair = contact.contact_type == LAMMPS_NS::Granular_NS::PAIR;
-  for (int k = 0; k < 2; ++k) {
-    if (!dissipated_[k]) continue;
-    dissipated_[k][index(contact.vi)] += (is_pair ? 0.5 : 1) * dissipated.energy[k];
-    if (is_pair && !is_shared(contact))
-      dissipated_[k][index(contact.vj)] += 0.5 * dissipated.energy[k];
+  const bool shared = is_shared(contact);
+  balance_->add_dissipated((shared ? 0.5 : 1) * plastic_work, (shared ? 0.5 : 1) * adhesion_loss);
+  balance_->add_to_particle(index(contact.vi), (is_pair ? 0.5 : 1) * plastic_work);
+  if (is_pair && !shared) balance_->add_to_particle(index(contact.vj), 0.5 * plastic_work);
+}
+
+void ContactTally::add_loads(const GranularModel& contact, double viscous) {
+  if (!active_) return;
+  const bool is_pair = contact.contact_type == LAMMPS_NS::Granular_NS::PAIR;
+  if (!is_pair)
+    for (int k = 0; k < 3; ++k) force_on_wall[k] -= contact.forces[k];
+  if (!balance_) return;
+  ParticleLoad on_i, on_j;
+  for (int k = 0; k < 3; ++k) {
+    on_i.friction[k] = contact.forces[k] - contact.Fntot * contact.nx[k];
+    on_i.dashpot[k] = viscous * contact.nx[k];
+    on_i.torque[k] = contact.torquesi[k];
+    on_j.friction[k] = -on_i.friction[k];
+    on_j.dashpot[k] = -on_i.dashpot[k];
+    on_j.torque[k] = contact.torquesj[k];
   }
+  balance_->add_load(index(contact.vi), on_i);
+  if (!is_pair)
+    balance_->add_wall(contact.forces, on_i, contact.vj);
+  else if (!is_shared(contact))
+    balance_->add_load(index(contact.vj), on_j);
 }
 
 }  // namespace plastigran

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The energies of the contacts of a pair style or a wall. Dissipated energy goes to the particles,
-// so it moves with them between ranks, and restart files contain it. If ranks share a contact, each
-// counts half.
+// The contacts of a pair style or a wall in one force computation: their energies, and the loads
+// that the energy balance needs. If ranks share a contact, each counts half of its energies.
 #pragma once
 
+#include <array>
+
+#include "lammps/energy_balance.h"
 #include "lammps/granular_interface.h"
 #include "plastigran/shared/contact.h"
 
@@ -12,16 +14,13 @@ namespace plastigran {
 
 class ContactTally {
  public:
-  // Values per particle, in this order, of the fix `property/atom` of `compute plastigran/energy`.
-  static constexpr const char* particle_values[2] = {"plastigran_work", "plastigran_loss"};
-
   virtual ~ContactTally() noexcept(false) = default;  // as LAMMPS' base classes
 
   // The contacts of one force computation lie between `begin` and `end`.
-  void begin(LAMMPS_NS::LAMMPS* lammps, bool clears_ghosts);
+  void begin(LAMMPS_NS::LAMMPS* lammps);
   void end() { active_ = false; }
 
-  // Adds a contact; `dissipated`: plastic work and loss by adhesion in this step [J].
+  // Adds the energies of a contact; `plastic_work` and `adhesion_loss` of this step [J].
   void add(const LAMMPS_NS::Granular_NS::GranularModel& contact, const Response& response,
            double overlap_limit, double plastic_work, double adhesion_loss) {
     if (!active_) return;
@@ -30,34 +29,34 @@ class ContactTally {
     elastic_energy += share * response.elastic_energy;
     surface_energy += share * response.surface_energy;
     if (contact.delta > furthest * overlap_limit) furthest = contact.delta / overlap_limit;
-    if (dissipated_[0] && (plastic_work != 0 || adhesion_loss != 0))
-      add_dissipated(contact, {plastic_work, adhesion_loss});
+    if (balance_ && (plastic_work != 0 || adhesion_loss != 0))
+      add_dissipated(contact, plastic_work, adhesion_loss);
   }
 
-  bool counts_particles() const { return dissipated_[0] != nullptr; }
-  double* dissipated(int k) const { return dissipated_[k]; }
+  // Adds the loads of a contact, of which `viscous` is the rate-dependent part of the normal force
+  // on the first particle [N].
+  void add_loads(const LAMMPS_NS::Granular_NS::GranularModel& contact, double viscous);
 
   // Sums of this rank.
   double contacts = 0, elastic_energy = 0, surface_energy = 0;
   double furthest = 1;  // largest overlap divided by the limit of the law, if above 1
+  std::array<double, 3> force_on_wall{};  // [N]
+  bool lacks_loads = false;               // LAMMPS' heat model takes the place of LoadModel
 
  private:
-  struct Dissipated {
-    double energy[2];
-  };
-
   int index(const double* velocity) const { return static_cast<int>((velocity - velocities_) / 3); }
+  // Whether another rank computes this contact too.
   bool is_shared(const LAMMPS_NS::Granular_NS::GranularModel& contact) const {
     return contact.contact_type == LAMMPS_NS::Granular_NS::PAIR && !newton_ &&
            index(contact.vj) >= nlocal_;
   }
-  void add_dissipated(const LAMMPS_NS::Granular_NS::GranularModel& contact,
-                      const Dissipated& dissipated);
+  void add_dissipated(const LAMMPS_NS::Granular_NS::GranularModel& contact, double plastic_work,
+                      double adhesion_loss);
 
   bool active_ = false, newton_ = true;
   int nlocal_ = 0;
   const double* velocities_ = nullptr;
-  double* dissipated_[2] = {nullptr, nullptr};
+  EnergyBalance* balance_ = nullptr;
 };
 
 }  // namespace plastigran

@@ -11,6 +11,7 @@
 
 #include "fix_wall_gran.h"
 #include "fix_wall_gran_region.h"
+#include "gran_sub_mod_heat.h"
 #include "gran_sub_mod_normal.h"
 #include "granular_model.h"
 #include "lammpsplugin.h"
@@ -68,6 +69,12 @@ class GranSubModNormal : public GranSubMod {
   int material_properties, cohesive_flag;
 };
 
+class GranSubModHeat : public GranSubMod {
+ public:
+  GranSubModHeat(GranularModel*, LAMMPS*);
+  virtual double calculate_heat() = 0;
+};
+
 class GranularModel : protected Pointers {
  public:
   GranularModel(LAMMPS*);
@@ -75,14 +82,15 @@ class GranularModel : protected Pointers {
   void init();
 
   GranSubModNormal* normal_model;
-  void* unused_models[5];
+  void* unused_models[4];
+  GranSubModHeat* heat_model;
   GranSubMod* sub_models[NSUBMODELS];
   int beyond_contact, limit_damping, history_update, unused_synchronization;
   ContactType contact_type;
   int unused_particles[4];
   int size_history, nondefault_history_transfer;
   double *transfer_history_factor, *history;
-  double unused_forces[11];
+  double Fnormal, forces[3], torquesi[3], torquesj[3], unused_heat;
   double radi, radj, meff, dt, unused_temperatures[2], contact_radius, Fntot, unused_torque;
   double *xi, *xj, *vi, *vj, *omegai, *omegaj;
   double unused_vectors[9];
@@ -91,7 +99,9 @@ class GranularModel : protected Pointers {
   bool touch;
   int unused_output[2];
   double* unused_values;
-  int unused_flags[6];
+
+ protected:
+  int unused_optional[2], heat_defined, unused_flags[3];
   void* unused_styles[3];
 };
 static_assert(sizeof(GranularModel) == 0x3f8);

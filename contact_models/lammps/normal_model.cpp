@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "atom.h"
+#include "lammps/load_model.h"
 
 namespace plastigran {
 
@@ -54,6 +55,7 @@ void NormalModel::replace(GranularModel* model, LAMMPS_NS::LAMMPS* lammps, Laws 
   delete[] model->transfer_history_factor;  // init() allocates the factors again
   model->transfer_history_factor = nullptr;
   model->init();
+  LoadModel::add(model, lammps, *normal, tally);
 }
 
 const RuntimeLaw& NormalModel::law() const {
@@ -103,6 +105,7 @@ double NormalModel::calculate_contact_radius() {
   }
   tally_.add(*gm, response, contact_law.range * gm->Reff, plastic_work, adhesion_loss);
   force_ = response.force;
+  viscous_force_ = response.viscous_force;
   pull_off_force_ = contact_law.attracts && response.contact_radius > 0
                         ? contact_law.pull_off_force(gm->Reff, gm->delta, state, response)
                         : 0;

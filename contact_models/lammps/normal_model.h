@@ -39,6 +39,7 @@ class NormalModel : public LAMMPS_NS::Granular_NS::GranSubModNormal {
   // LAMMPS asks for the contact radius first, and then for the force and the limit of friction.
   double calculate_contact_radius() override;
   double calculate_forces() override { return force_; }
+  double conservative_force() const { return force_ - viscous_force_; }  // of the last contact [N]
   void set_fncrit() override;
 
  private:
@@ -48,7 +49,7 @@ class NormalModel : public LAMMPS_NS::Granular_NS::GranSubModNormal {
   ContactTally& tally_;
   std::size_t state_at_, work_at_, factor_at_;  // in the values of this model
   bool has_rate_;
-  double force_ = 0, pull_off_force_ = 0;
+  double force_ = 0, viscous_force_ = 0, pull_off_force_ = 0;
 };
 
 }  // namespace plastigran

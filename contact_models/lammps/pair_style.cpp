@@ -9,7 +9,9 @@
 #include "error.h"
 #include "force.h"
 #include "lammps.h"
+#include "lammps/energy_balance.h"
 #include "lammps/impact_extremes.h"
+#include "lammps/load_model.h"
 #include "lammps/normal_model.h"
 #include "modify.h"
 #include "update.h"
@@ -33,7 +35,7 @@ std::vector<char*> pointers(std::vector<std::string>& words) {
 }  // namespace
 
 PairStyle::PairStyle(LAMMPS_NS::LAMMPS* lammps) : PairGranular(lammps) {
-  comm_reverse = 2;
+  comm_reverse = EnergyBalance::reverse_size;
   cutoff_global = -1;  // LAMMPS leaves it unset, also after read_restart
 }
 
@@ -188,10 +190,11 @@ void PairStyle::recommend_time_step() {
 }
 
 void PairStyle::compute(int eflag, int vflag) {
-  begin(lmp, true);
+  begin(lmp);
+  for (int k = 0; k < nmodels; ++k) LoadModel::enable(models_list[k]);
   PairGranular::compute(eflag, vflag);
   end();
-  if (counts_particles() && force->newton_pair) comm->reverse_comm(this);
+  if (EnergyBalance::of(lmp) && force->newton_pair) comm->reverse_comm(this);
   if (furthest > 1 && !warned_range_) {
     warned_range_ = true;
     error->warning(FLERR,
@@ -214,16 +217,16 @@ void PairStyle::transfer_history(double* source, double* target, int type, int o
 }
 
 int PairStyle::pack_reverse_comm(int count, int first, double* buffer) {
-  int size = 0;
-  for (int i = first; i < first + count; ++i)
-    for (int k = 0; k < 2; ++k) buffer[size++] = dissipated(k) ? dissipated(k)[i] : 0;
-  return size;
+  const EnergyBalance* const balance = EnergyBalance::of(lmp);
+  for (int k = 0; k < count; ++k)
+    balance->pack_ghost(first + k, buffer + k * EnergyBalance::reverse_size);
+  return count * EnergyBalance::reverse_size;
 }
 
 void PairStyle::unpack_reverse_comm(int count, int* particles, double* buffer) {
-  for (int i = 0; i < count; ++i)
-    for (int k = 0; k < 2; ++k, ++buffer)
-      if (dissipated(k)) dissipated(k)[particles[i]] += *buffer;
+  EnergyBalance* const balance = EnergyBalance::of(lmp);
+  for (int k = 0; k < count; ++k)
+    balance->add_ghost(particles[k], buffer + k * EnergyBalance::reverse_size);
 }
 
 // LAMMPS calls this on rank 0 only. The lines of the laws follow what LAMMPS writes. Mixed types

@@ -6,6 +6,7 @@
 
 #include "error.h"
 #include "lammps.h"
+#include "lammps/energy_balance.h"
 #include "lammps/energy_compute.h"
 #include "lammps/pair_style.h"
 #include "lammps/wall_style.h"
@@ -73,6 +74,8 @@ extern "C" __attribute__((visibility("default"))) void lammpsplugin_init(void* h
   add("fix", "wall/gran/plastigran");
   plugin.creator.v2 = &make<WallStyle<LAMMPS_NS::FixWallGranRegion>, LAMMPS_NS::Fix>;
   add("fix", "wall/gran/region/plastigran");
+  plugin.creator.v2 = &make<EnergyBalance, LAMMPS_NS::Fix>;
+  add("fix", "plastigran/energy");
   plugin.creator.v2 = &make<EnergyCompute, LAMMPS_NS::Compute>;
   add("compute", "plastigran/energy");
 }

@@ -8,6 +8,8 @@
 //     tangential mindlin_rescale NULL 1.0 0.5 zplane 0 NULL
 #pragma once
 
+#include <mpi.h>
+
 #include <cstring>
 #include <string>
 #include <vector>
@@ -16,6 +18,7 @@
 #include "error.h"
 #include "lammps.h"
 #include "lammps/granular_interface.h"
+#include "lammps/load_model.h"
 #include "lammps/normal_model.h"
 #include "lammps/pair_style.h"
 #include "memory.h"
@@ -53,6 +56,15 @@ class WallStyle : private WallLine, public LammpsWall, public ContactTally {
     this->memory->destroy(this->history_one);  // which has the size of LAMMPS' own model
     this->grow_arrays(this->atom->nmax);
     for (int i = 0; i < this->atom->nlocal; ++i) this->set_arrays(i);
+    this->vector_flag = this->extvector = this->global_freq = 1;
+    this->size_vector = 3;
+  }
+
+  double compute_vector(int axis) override {  // force on the wall [N]
+    double force = 0;
+    MPI_Allreduce(&force_on_wall[static_cast<std::size_t>(axis)], &force, 1, MPI_DOUBLE, MPI_SUM,
+                  this->world);
+    return force;
   }
 
   void init() override {
@@ -63,7 +75,8 @@ class WallStyle : private WallLine, public LammpsWall, public ContactTally {
   }
 
   void post_force(int vflag) override {
-    begin(this->lmp, false);
+    begin(this->lmp);
+    LoadModel::enable(this->model);
     LammpsWall::post_force(vflag);
     end();
     if (furthest > 1 && !warned_range_) {

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from lammps_scenes import run
 
-from plastigran.engine.process import PROJECT
+from plastigran.engine.process import PROJECT, EngineError
 
 PAGE = (PROJECT / "docs" / "lammps_defects.md").read_text()
 WRITE_RESTART, MIXED_TYPES, READ_RESTART = re.findall(r"```\n(.*?)```", PAGE, re.DOTALL)
@@ -34,4 +34,9 @@ def test_mixed_types_have_another_tangential_stiffness(tmp_path):
 
 
 def test_read_restart_loses_the_cutoff(tmp_path):
-    assert "Communication cutoff is 0.0" in run(tmp_path, READ_RESTART)
+    """The cutoff has any value, so LAMMPS warns that it is 0, or stops because it is too large."""
+    try:
+        log = run(tmp_path, READ_RESTART)
+    except EngineError as error:
+        log = str(error)
+    assert "Communication cutoff is 0.0" in log or "box size << cutoff" in log

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// Energy balance of the particles, as the fix `plastigran_energy` that `compute plastigran/energy`
+// makes. docs/energy_balance.md defines the energy terms, which are the same as in LIGGGHTS.
+//
+// No term is computed as the remainder of the others. The laws give elastic energy and plastic
+// work. The work of friction, dashpots and walls is the integral of their power by the trapezoidal
+// rule, with the velocities at the end of each step. For velocity Verlet this is the exact change
+// of the kinetic energy. Power is linear in the loads, so it suffices to sum the loads by particle.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "fix.h"
+
+namespace plastigran {
+
+class ContactTally;
+
+// Sum of the loads of one particle that dissipate energy without plastic flow.
+struct ParticleLoad {
+  double friction[3]{}, torque[3]{};  // of the tangential, rolling and twisting models
+  double dashpot[3]{};                // rate-dependent normal forces
+};
+
+class EnergyBalance : public LAMMPS_NS::Fix {
+ public:
+  // Energy terms [J], in the order of LIGGGHTS; the last is the number of contacts.
+  enum Term {
+    KINETIC,
+    GRAVITATIONAL,
+    ELASTIC,
+    PLASTIC,
+    FRICTION,
+    VISCOUS,
+    WALL_WORK,
+    INSERTED,
+    DRIFT,
+    TANGENTIAL_SPRINGS,
+    SURFACE,
+    ADHESION,
+    CONTACTS,
+    TERMS
+  };
+  typedef std::array<double, TERMS> Terms;
+
+  // Plastic work of each particle [J], a value of `fix property/atom`.
+  static constexpr const char* particle_work = "plastigran_work";
+
+  EnergyBalance(LAMMPS_NS::LAMMPS* lammps, int count, char** words);
+
+  // Makes the fix if there is none.
+  static void open(LAMMPS_NS::LAMMPS* lammps);
+  // The fix of a simulation; null if there is none.
+  static EnergyBalance* of(LAMMPS_NS::LAMMPS* lammps);
+
+  // Energies of this step on this rank [J].
+  void add_dissipated(double plastic_work, double adhesion_loss) {
+    sums_.plastic_work += plastic_work;
+    sums_.adhesion_loss += adhesion_loss;
+  }
+  void add_to_particle(int particle, double plastic_work) { work_[particle] += plastic_work; }
+  void add_load(int particle, const ParticleLoad& load);
+  // Adds the force of a wall on a particle; `load` is the part that dissipates energy.
+  void add_wall(const double* force, const ParticleLoad& load, const double* wall_velocity);
+
+  // Values per particle that ghosts return to their particles.
+  static constexpr int reverse_size = 1 + sizeof(ParticleLoad) / sizeof(double);
+  void pack_ghost(int particle, double* buffer) const;
+  void add_ghost(int particle, const double* buffer);
+
+  // Sums over all ranks. Collective.
+  Terms terms();
+
+  int setmask() override;
+  void init() override;
+  void setup_pre_force(int) override { begin_pass(); }
+  void setup(int) override;
+  void pre_force(int) override { begin_pass(); }
+  void post_integrate() override;
+  void pre_neighbor() override;
+  void end_of_step() override;
+  void post_run() override;
+  void write_restart(FILE* file) override;
+  void restart(char* data) override;
+
+ private:
+  // Sums on this rank since the balance was opened [J]. Restart files contain their sums over
+  // ranks.
+  struct Sums {
+    double plastic_work = 0, adhesion_loss = 0, friction = 0, viscous = 0, wall_work = 0;
+    double inserted = 0, initial = 0;
+  };
+  struct Power {
+    double friction = 0, viscous = 0, wall = 0;  // [W]
+  };
+  struct Live {
+    double elastic = 0, surface = 0, contacts = 0;
+  };
+
+  std::vector<const ContactTally*> tallies() const;
+  void begin_pass();
+  void end_setup();
+  Power power() const;
+  Live live() const;
+  double kinetic_energy() const;
+  double gravitational_energy() const;
+  double mechanical_energy() const { return kinetic_energy() + gravitational_energy(); }
+  double state_energy() const;
+
+  Sums sums_;
+  Power power_, wall_power_;
+  std::vector<ParticleLoad> loads_;
+  double* work_ = nullptr;
+  // Mechanical energy in the setup, before an exchange, and state energy at the end of a run.
+  double mechanical_ = 0, last_state_ = 0;
+  bool started_ = false, in_setup_ = false, has_run_ = false;
+};
+
+}  // namespace plastigran

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// Reports the forces and torques of a contact to the tally. LAMMPS calls its heat model last, when
+// all forces of a contact are known, so this model takes the place of the heat model `none`.
+#pragma once
+
+#include "lammps/contact_tally.h"
+#include "lammps/granular_interface.h"
+
+namespace plastigran {
+
+class NormalModel;
+
+class LoadModel : public LAMMPS_NS::Granular_NS::GranSubModHeat {
+ public:
+  LoadModel(LAMMPS_NS::Granular_NS::GranularModel* model, LAMMPS_NS::LAMMPS* lammps,
+            const NormalModel& normal, ContactTally& tally);
+
+  // Puts a new LoadModel in the place of LAMMPS' heat model, unless the line has one.
+  static void add(LAMMPS_NS::Granular_NS::GranularModel* model, LAMMPS_NS::LAMMPS* lammps,
+                  const NormalModel& normal, ContactTally& tally);
+
+  // Lets LAMMPS call the model. LAMMPS resets this flag whenever it initializes its models.
+  static void enable(LAMMPS_NS::Granular_NS::GranularModel* model);
+
+  double calculate_heat() override;
+
+ private:
+  const NormalModel& normal_;
+  ContactTally& tally_;
+};
+
+}  // namespace plastigran
