@@ -53,7 +53,12 @@ def kills(folder: Path, count: int) -> Iterator[Row]:
                 losses += steps
                 ends.append(same_end(whole, end))
                 bar.update(len(steps))
-        yield Row(f"{words}: runs lost, of {len(ends) + lost} killed {killed} times", lost, 0)
+        yield Row(
+            f"{words}: number of lost runs, of {len(ends) + lost} runs that were killed {killed} "
+            "times in total",
+            lost,
+            0,
+        )
         interval = checkpoint_interval(whole)
         yield Row(
             f"{words}: most steps lost to a kill; the limit is the number of steps between "
@@ -64,8 +69,8 @@ def kills(folder: Path, count: int) -> Iterator[Row]:
         if ranks == 1:
             other = len(ends) - sum(ends)
             yield Row(
-                f"{words}: runs whose end is not bitwise identical to the end of the run without "
-                "kills",
+                f"{words}: number of runs whose end is not bitwise identical to the end of the run "
+                "without kills",
                 other,
                 0,
             )
