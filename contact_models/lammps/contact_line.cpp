@@ -11,7 +11,7 @@ namespace plastigran {
 
 namespace {
 
-// The first word of what LAMMPS reads.
+// Returns whether the models of LAMMPS, or the position of a wall, begin with this word of a line.
 bool begins_models(const std::string& word) {
   static const std::vector<std::string> first{
       "damping",       "tangential",          "rolling", "twisting", "heat",   "cutoff",   "region",
@@ -25,7 +25,7 @@ const BodyConstant* body_constant(const std::string& name) {
   return nullptr;
 }
 
-// A file of materials has lines `variable NAME index VALUE`.
+// Reads the constants of a body from a material file with lines `variable NAME index VALUE`.
 Complaint read_material(const std::string& name, Body& body) {
   std::ifstream file(name);
   const char* const folder = std::getenv("PLASTIGRAN_MATERIALS");
@@ -44,7 +44,7 @@ Complaint read_material(const std::string& name, Body& body) {
   return {};
 }
 
-// Whether the coefficient of the damping model is a restitution.
+// Returns whether the coefficient of the damping model is a coefficient of restitution.
 bool is_restitution(const std::vector<std::string>& models) {
   const auto damping = std::find(models.begin(), models.end(), "damping");
   return damping != models.end() && damping + 1 != models.end() &&

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The words of a `pair_coeff` line after the atom types, or of a wall after `granular`:
+// Words of a `pair_coeff` line after the atom types, or of a wall line after `granular`:
 //
 //   LAW BODY [name value ...] [viscous e] MODELS
 //
-// BODY is `E nu`, `body FILE` with a file of materials, `rigid`, or `mixed` for the bodies of two
-// atom types. The names are constants of the body, and constants and options of the law. MODELS
-// begins with the first word of LAMMPS' granular models, such as `tangential`, or with the place of
-// a wall.
+// BODY is `E nu`, `body FILE` with a material file, `rigid`, or `mixed` for the bodies of two atom
+// types. Each `name` is a constant of the body, or a constant or an option of the law. MODELS are
+// LAMMPS' granular models, which begin with a word such as `tangential`. In a wall line, the
+// position of the wall follows.
 #pragma once
 
 #include <map>
@@ -28,11 +28,11 @@ struct ContactLine {
   std::vector<std::string> models;  // the words of LAMMPS' own models
   std::vector<std::string> words;   // all words
 
-  // Reads a line; returns what is wrong with it.
+  // Reads a line. Returns an error message; empty if the line is valid.
   Complaint read(const std::vector<std::string>& line);
 
-  // The words that LAMMPS reads instead: its model `hertz/material`, for a body whose effective
-  // shear modulus against itself is the given one.
+  // Returns the words that LAMMPS reads instead of the law: its model `hertz/material`, with a
+  // modulus for which two equal bodies have the given effective shear modulus.
   std::vector<std::string> placeholder(double shear_modulus_eff) const;
 };
 
@@ -41,7 +41,7 @@ Body rigid_body();
 bool to_number(const std::string& word, double& number);
 Complaint not_a_number(const std::string& name, const std::string& word);
 
-// The names of the constants of a body, apart from Young's modulus and Poisson's ratio.
+// Returns the names of the constants of a body, except Young's modulus and Poisson's ratio.
 std::string body_words();
 
 }  // namespace plastigran

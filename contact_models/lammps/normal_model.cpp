@@ -64,7 +64,8 @@ const RuntimeLaw& NormalModel::law() const {
   return *laws_[static_cast<std::size_t>(atom->type[particle]) - 1];
 }
 
-// Twice the pull-off distance, so that the law sees the break and counts its energy.
+// Extends a contact to twice the pull-off distance, so that the law computes the step in which the
+// contact breaks, and counts the lost energy.
 bool NormalModel::touch() {
   double reach = gm->radsum;
   if (gm->touch && beyond_contact) reach += 2 * law().pull_off_distance(gm->Reff);
@@ -109,8 +110,8 @@ double NormalModel::calculate_contact_radius() {
   pull_off_force_ = contact_law.attracts && response.contact_radius > 0
                         ? contact_law.pull_off_force(gm->Reff, gm->delta, state, response)
                         : 0;
-  // A contact that breaks loses its history where the bodies do not overlap, also if LAMMPS still
-  // lists it. Flattened bodies can part at a positive overlap and touch again.
+  // Clear the history of a broken contact only when the bodies do not overlap, because flattened
+  // bodies can separate at a positive overlap and touch again. LAMMPS may still list the contact.
   if (gm->history_update && contact_law.stretches && gm->delta <= 0 &&
       !contact_law.in_contact(state))
     std::fill(state, values + size_history, 0.0);

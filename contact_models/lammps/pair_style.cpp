@@ -91,7 +91,8 @@ void PairStyle::coeff(int count, char** words) {
             line_of(std::stoi(types[1])).body);
 }
 
-// LAMMPS makes a model for the types and appends it to its list.
+// Makes LAMMPS create a model for the atom types, which LAMMPS appends to its list, and replaces
+// it.
 void PairStyle::add_model(const std::string& types, const std::string& other_types,
                           const ContactLine& line, const Body& one, const Body& other) {
   const auto made = law(line, one, other, "pair_coeff");
@@ -109,8 +110,9 @@ void PairStyle::set_model(GranularModel* model, const ContactLine& line, const B
   models_[model] = {line, made};
 }
 
-// LAMMPS mixes only its own models. Its `mindlin NULL` also mixes two types of equal modulus to
-// another stiffness than that of one type.
+// Adds a model for two atom types that no line names together. LAMMPS cannot mix the laws. Its
+// mixing of `mindlin NULL` is also unsuitable: two types of equal modulus get a different stiffness
+// from one type.
 void PairStyle::mix(int type, int other_type) {
   const ContactLine one = line_of(type), other = line_of(other_type);
   if (one.law != other.law || one.law_words != other.law_words || one.models != other.models ||
@@ -147,7 +149,7 @@ void PairStyle::init_style() {
   furthest = 1;
 }
 
-// The histories of contacts have the IDs of their particles.
+// Stops if particles were renumbered, because contact histories refer to particles by their IDs.
 void PairStyle::check_particle_ids() {
   int is_double, columns, renumbered = 0;
   double* const last = atom->dvector[atom->find_custom(ids, is_double, columns)];
@@ -204,8 +206,8 @@ void PairStyle::compute(int eflag, int vflag) {
   }
 }
 
-// The values of a model lie where those of the largest models lie. LAMMPS' own function assumes the
-// sizes of the model itself.
+// Copies the history of a pair for the other particle. In LAMMPS, the offset of each part of the
+// history allows for the largest model; LAMMPS' own function assumes the sizes of one model.
 void PairStyle::transfer_history(double* source, double* target, int type, int other_type) {
   const GranularModel* const model = models_list[types_indices[type][other_type]];
   for (const auto* const part : model->sub_models)
@@ -229,8 +231,8 @@ void PairStyle::unpack_reverse_comm(int count, int* particles, double* buffer) {
     balance->add_ghost(particles[k], buffer + k * EnergyBalance::reverse_size);
 }
 
-// LAMMPS calls this on rank 0 only. The lines of the laws follow what LAMMPS writes. Mixed types
-// are mixed again after a restart.
+// Writes LAMMPS' own data, then the lines of the laws. LAMMPS calls this function on rank 0 only.
+// Mixed types are omitted, because they are mixed again after a restart.
 void PairStyle::write_restart(FILE* file) {
   for (const auto& [i, j] : mixed_) setflag[i][j] = 0;
   PairGranular::write_restart(file);

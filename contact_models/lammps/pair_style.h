@@ -4,7 +4,8 @@
 //
 //   pair_coeff 1 1 universal 7e10 0.3 yield_strength 3e8 tangential mindlin_rescale NULL 1.0 0.5
 //
-// Two types that no line names together get the law between their two bodies.
+// If no line names two atom types together, their contacts have the law of both types, with the
+// material constants of both.
 #pragma once
 
 #include <map>
@@ -24,15 +25,15 @@ class PairStyle : public LAMMPS_NS::PairGranular, public ContactTally {
  public:
   explicit PairStyle(LAMMPS_NS::LAMMPS* lammps);
 
-  // The pair style of a simulation; null if there is none.
+  // Returns the pair style of a simulation; null if it is another style.
   static PairStyle* of(LAMMPS_NS::LAMMPS* lammps);
 
-  // The line of an atom type with itself; stops the run if there is none.
+  // Returns the pair_coeff line of an atom type with itself; stops the run if there is none.
   const ContactLine& line_of(int type);
 
-  // Reads the words of a line; stops the run if something is wrong with them.
+  // Reads the words of a line; stops the run if the line is invalid.
   ContactLine read(const std::vector<std::string>& words, const std::string& command);
-  // The law of a line between two bodies; stops the run if a constant is wrong.
+  // Returns the law of a line between two bodies; stops the run if a constant is invalid.
   std::shared_ptr<const RuntimeLaw> law(const ContactLine& line, const Body& one, const Body& other,
                                         const std::string& command);
 
@@ -62,7 +63,7 @@ class PairStyle : public LAMMPS_NS::PairGranular, public ContactTally {
   void recommend_time_step();
 
   std::map<LAMMPS_NS::Granular_NS::GranularModel*, Model> models_;
-  std::vector<std::pair<int, int>> mixed_;  // types that no line names together
+  std::vector<std::pair<int, int>> mixed_;  // pairs of atom types that no line names together
   bool warned_range_ = false, warned_step_ = false;
 };
 

@@ -30,7 +30,7 @@ void* make(void* lammps, int count, char** words) {
 #endif
 constexpr const char* tag = PLASTIGRAN_LAMMPS_TAG;
 
-// Whether this is the release whose binary interface the plugin was compiled for.
+// Returns whether the plugin was compiled for the binary interface of this LAMMPS.
 bool fits(const LAMMPS& lammps) {
   if (std::strcmp(lammps.version, PLASTIGRAN_LAMMPS_VERSION) != 0) return false;
 #ifdef PLASTIGRAN_LAMMPS_SOURCE
@@ -44,15 +44,15 @@ bool fits(const LAMMPS& lammps) {
 }  // namespace
 }  // namespace plastigran
 
-// An error here would stop every LAMMPS that loads plugins at its start. A deck with the styles
-// fails at its first use of an unknown style.
+// Warns if the plugin does not fit. An error would stop every LAMMPS that finds the plugin in
+// LAMMPS_PLUGIN_PATH, even with decks that do not use it.
 extern "C" __attribute__((visibility("default"))) void lammpsplugin_init(void* host, void* handle,
                                                                          void* register_style) {
   using namespace plastigran;
   auto* const lammps = static_cast<LAMMPS*>(host);
   if (!fits(*lammps)) {
     lammps->error->warning(FLERR,
-                           "plastigranplugin.so was built for LAMMPS {} ({}), and this is LAMMPS "
+                           "plastigranplugin.so was built for LAMMPS {} ({}), but this is LAMMPS "
                            "{} ({}); its styles are not available. Build the plugin again",
                            PLASTIGRAN_LAMMPS_VERSION, tag, lammps->version,
                            LAMMPS::git_descriptor());

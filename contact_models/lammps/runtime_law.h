@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// A law between two materials, chosen by name while the program runs. A state is the address of its
-// values in the contact history.
+// A law between two materials, selected by its name at run time. The functions receive a state as
+// the address of its values in the contact history.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,7 @@ namespace plastigran {
 
 class RuntimeLaw {
  public:
-  static constexpr std::size_t capacity = 8;  // most values of a state
+  static constexpr std::size_t capacity = 8;  // largest number of values of a state
 
   virtual ~RuntimeLaw() = default;
   virtual Response respond(double radius_eff, double overlap, double overlap_rate, double factor,
@@ -32,22 +32,22 @@ class RuntimeLaw {
   virtual double pull_off_force(double radius_eff, double overlap, const double* state,
                                 const Response& response) const = 0;
   virtual double pull_off_distance(double radius_eff) const = 0;
-  // Energy lost where the contact formed or broke in a step from `before` to `now` [J].
+  // Returns the energy lost if the contact formed or broke in the step from `before` to `now` [J].
   virtual double lost_at_ends(double radius_eff, const double* before, const double* now) const = 0;
-  virtual bool in_contact(const double* state) const = 0;  // for laws that stretch
+  virtual bool in_contact(const double* state) const = 0;  // true for contacts that cannot stretch
   virtual double recommended_timestep(double radius_eff, double mass_eff, double speed) const = 0;
-  // The constants of the pair, and those of the law with its options.
+  // Returns the constants of the pair, and the constants and options of the law, as text.
   virtual std::string description() const = 0;
 
-  // Whether a rate factor changes the strength.
+  // Returns whether the yield strength depends on the strain rate.
   bool has_rate() const { return bodies.rate_coefficient > 0; }
   double rate_factor(double radius_eff, double closing_speed) const {
     return plastigran::rate_factor(bodies, radius_eff, closing_speed);
   }
 
-  std::size_t state_size = 0;  // values of a state
-  bool attracts = false;       // the force may be negative
-  bool stretches = false;      // contacts outlast the overlap
+  std::size_t state_size = 0;  // number of values of a state
+  bool attracts = false;       // whether the force may be attractive
+  bool stretches = false;      // whether contacts can last without overlap
   double range = 0;            // largest overlap/R* for which the law is valid
   MaterialPair bodies;
 };
@@ -122,8 +122,8 @@ class RuntimeLawOf : public RuntimeLaw {
   TypePair<Law> pair_;
 };
 
-// A law that decks can name. `make` returns null and sets the complaint if a word or value of the
-// line is wrong.
+// A law with its name in decks. `make` creates the law from a line. If a word or value of the line
+// is invalid, it returns null and sets the complaint.
 struct NamedLaw {
   const char* name;
   std::shared_ptr<const RuntimeLaw> (*make)(const ContactLine& line, const Body& one,
@@ -132,7 +132,8 @@ struct NamedLaw {
 
 const std::vector<const NamedLaw*>& named_laws();
 
-// Sets the constants and options of a law that the line gives. `adhesion` selects the law itself.
+// Sets the constants and options of a law from its line. Skips the option `adhesion`, which selects
+// the class of the law.
 template <class Law>
 Complaint read_constants(const ContactLine& line, typename Law::Parameters& constants) {
   std::string names = " adhesion";

@@ -25,8 +25,8 @@
 
 namespace plastigran {
 
-// The line of a wall with the words that LAMMPS reads instead of the law. It is made first, because
-// the constructor of the wall reads the words.
+// The line of a wall, in which the words of LAMMPS' own model replace the law. It is the first base
+// class of a wall, because the constructor of LAMMPS' wall reads the words.
 class WallLine {
  public:
   WallLine(LAMMPS_NS::LAMMPS* lammps, int count, char** words);
@@ -34,7 +34,7 @@ class WallLine {
   int count() { return static_cast<int>(pointers_.size()); }
   char** words() { return pointers_.data(); }
 
-  // The laws between the wall and the bodies of all atom types.
+  // Returns the laws between the wall and the body of each atom type.
   NormalModel::Laws laws() const;
 
  private:
@@ -53,7 +53,7 @@ class WallStyle : private WallLine, public LammpsWall, public ContactTally {
     NormalModel::replace(this->model, lammps, laws(), *this);
     this->size_history = this->model->size_history;
     this->use_history = this->restart_peratom = 1;
-    this->memory->destroy(this->history_one);  // which has the size of LAMMPS' own model
+    this->memory->destroy(this->history_one);  // LAMMPS allocated it for its own model
     this->grow_arrays(this->atom->nmax);
     for (int i = 0; i < this->atom->nlocal; ++i) this->set_arrays(i);
     this->vector_flag = this->extvector = this->global_freq = 1;

@@ -33,7 +33,7 @@ struct AnswerFields<ImpactOutcome> {
   static const std::array<AnswerField<ImpactOutcome>, 7> all;
 };
 
-// TangentialResponse in the plane of the contact.
+// TangentialResponse, with the components of the force along x and y in the plane of the contact.
 struct PlaneResponse {
   double force_x, force_y, stored_energy, friction_work;
 };

@@ -39,7 +39,8 @@ class AnyLaw {
                                       const ImpactOutcome& impact) const = 0;
 };
 
-// Returns whether a history belongs to a law. A law with and without adhesion has one name.
+// Returns whether a history belongs to a law. Compares the names of the values too, because a law
+// has the same name with and without adhesion.
 inline bool is_state_of(const AnyState& state, const AnyLaw& law) {
   return state.law == law.name() && state.names == law.state_names();
 }

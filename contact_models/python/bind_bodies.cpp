@@ -67,7 +67,7 @@ std::string body_signature() {
 
 std::string body_doc() {
   std::ostringstream text;
-  text << "A body.\n\nArgs:\n";
+  text << "Create a body from its material constants.\n\nArgs:\n";
   for (const BodyConstant& constant : body_constants)
     text << "    " << constant.name << ": " << constant.symbol << ", " << constant.meaning
          << ". Range: " << allowed_values(constant) << ".\n";
@@ -164,8 +164,7 @@ Source: effective moduli of Hertz 1881 and Mindlin 1949.)");
       R"(Return peak Hertz pressure / yield strength at first yield (von Mises) [-].
 
 Args:
-    poissons_ratio: nu [-], a number or an array of any shape, above -1 and at most
-        0.5.
+    poissons_ratio: nu [-], above -1 and at most 0.5: a number or an array of any shape.
 
 Returns:
     A number, or an array of that shape.
@@ -196,10 +195,10 @@ Args:
     speed: Closing speed at first touch [m/s].
 
 Returns:
-    A number, or an array of the shape all have together.
+    A number, or an array of the broadcast shape.
 
 Raises:
-    ValueError: A value is out of range, or the shapes do not fit together.
+    ValueError: A value is out of range, or the shapes cannot be broadcast.
 
 Source: Johnson & Cook 1983, 7th Int. Symp. Ballistics: 541.)");
   module.def("yield_radius_ratio", &yield_radius_ratio, "pair"_a,

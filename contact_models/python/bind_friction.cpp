@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The tangential laws in Python, in the plane of the contact.
+// Python bindings of the tangential laws. Vectors have components x and y in the contact plane.
 #include <nanobind/stl/vector.h>
 
 #include <cstring>
@@ -136,17 +136,16 @@ Args:
     stiffness: Tangential stiffness without slip at the end of the step, 8 G* a [N/m].
     displacement_x: Displacement in the step of the first body's surface relative to the
         second's, along x of the contact plane [m].
-    displacement_y: The same along y [m].
+    displacement_y: The displacement along y [m].
     spin: Rotation of the pair about the normal in the step [rad].
     state: Histories of the contacts, which this call advances. None for contacts before first
         touch.
 
 Returns:
-    Tangential force along the displacement and energies: numbers, or arrays of the shape all have
-    together.
+    Tangential force along the displacement and energies: numbers, or arrays of the broadcast shape.
 
 Raises:
-    ValueError: A value is out of range, or the shapes do not fit together.)");
+    ValueError: A value is out of range, or the shapes cannot be broadcast.)");
   law.attr("name") = Law::name;
   law.attr("source") = Law::source;
   law.attr("range") = Law::range;
@@ -159,7 +158,7 @@ void bind_friction(nb::module_& module) {
   nb::dict all;
   bind_tangential<PartialSlip<>>(
       module, all, "PartialSlip",
-      "Tangential contact whose edge slips while its middle sticks, in rings. Immutable.");
+      "Tangential contact with partial slip: the edge slips while the middle sticks. Immutable.");
   bind_tangential<Incremental>(
       module, all, "Incremental",
       "Incremental tangential force without slip at the edge of the contact. Immutable.");

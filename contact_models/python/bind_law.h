@@ -132,7 +132,7 @@ void bind_law(nb::module_& module, const char* class_name) {
         new (memory) Self(pair, parse_constants<Law>(pair, constants));
       },
       true);
-  law.def_ro("pair", &Self::pair, "The two bodies.");
+  law.def_ro("pair", &Self::pair, "Combined constants of the two bodies.");
   law.def(
       "at_impact",
       [](const Self& self, const nb::object& radius_eff, const nb::object& speed) {

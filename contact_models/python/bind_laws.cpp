@@ -54,9 +54,10 @@ Broadcast impact_arguments(const nb::object& radius_eff, const nb::object& mass_
                     {"speed", speed, positive, "m/s"}});
 }
 
-// The outcome of an impact whose largest overlap can be computed.
+// Returns the outcome of an impact. Throws if its largest overlap is too small or too large to be
+// computed.
 ImpactOutcome impact_of(const AnyLaw& law, double radius_eff, double mass_eff, double speed) {
-  constexpr double least = 1e-30, largest = 1e6;  // overlap over R*
+  constexpr double least = 1e-30, largest = 1e6;  // overlap/R* [-]
   const ImpactOutcome impact = law.central_impact(radius_eff, mass_eff, speed);
   const double ratio = impact.overlap_max / radius_eff;
   if (ratio >= least && ratio < largest && std::isfinite(impact.coefficient_of_restitution))
@@ -168,12 +169,12 @@ Args:
     overlap_rate: Overlap rate [m/s], positive while closing; used only by `rate_dependent` laws.
 
 Returns:
-    Force, contact radius and energies: numbers, or arrays of the shape all have together.
+    Force, contact radius and energies: numbers, or arrays of the broadcast shape.
 
 Raises:
     ValueError: A value is out of range (the message names it, its index and the range), or the
-        shapes do not fit together.
-    TypeError: A state of another law.)");
+        shapes cannot be broadcast.
+    TypeError: `state` belongs to another law.)");
   law.def(
       "follow", &follow, "radius_eff"_a, "overlap"_a, "state"_a = nb::none(),
       "overlap_rate"_a = nb::none(),
@@ -199,15 +200,15 @@ Returns:
 
 Raises:
     ValueError: A value is out of range (the message names it, its index and the range), or the
-        shapes do not fit together.
-    TypeError: A state of another law.)");
+        shapes cannot be broadcast.
+    TypeError: `state` belongs to another law.)");
   law.def("central_impact", &central_impact_of, "radius_eff"_a, "mass_eff"_a, "speed"_a,
           nb::sig("def central_impact(self, radius_eff: ArrayLike, mass_eff: ArrayLike, speed: "
                   "ArrayLike) -> ImpactOutcome"),
           R"(Compute the central impact of two bodies.
 
-The outcome follows from the energies of the law; for a `rate_dependent` law, from the equation
-of motion. The yield strength is multiplied by `rate_factor`.
+The outcome follows from the energies of the law. For a `rate_dependent` law, it follows from the
+equation of motion. The yield strength is multiplied by `rate_factor`.
 
 Args:
     radius_eff: R* [m], positive. Numbers or arrays whose shapes broadcast together, as all below.
@@ -219,7 +220,7 @@ Returns:
 
 Raises:
     ValueError: A value is out of range (the message names it, its index and the range), or the
-        shapes do not fit together.)");
+        shapes cannot be broadcast.)");
   law.def(
       "pull_off_distance", &pull_off_distance_of, "radius_eff"_a,
       nb::sig("def pull_off_distance(self, radius_eff: ArrayLike) -> Numbers"),
@@ -238,8 +239,9 @@ Raises:
           nb::sig("def pull_off_force(self, radius_eff: ArrayLike, overlap: ArrayLike = 0.0, "
                   "state: ContactState | Sequence[ContactState] | NDArray[Any] | None = None) -> "
                   "Numbers"),
-          R"(Largest attractive force [N] that a contact with this history can have; 0 for laws
-without adhesion.
+          R"(Return the largest attractive force of a contact with this history [N].
+
+The force is 0 for laws without adhesion.
 
 Args:
     radius_eff: R* [m], positive. Numbers or arrays whose shapes broadcast together, as all below.
@@ -252,16 +254,16 @@ Returns:
 
 Raises:
     ValueError: A value is out of range (the message names it, its index and the range), or the
-        shapes do not fit together.
-    TypeError: A state of another law.)");
+        shapes cannot be broadcast.
+    TypeError: `state` belongs to another law.)");
   law.def(
       "recommended_timestep", &recommended_timestep_of, "radius_eff"_a, "mass_eff"_a, "speed"_a,
       nb::sig("def recommended_timestep(self, radius_eff: ArrayLike, mass_eff: ArrayLike, speed: "
               "ArrayLike) -> Numbers"),
       R"(Return the time step for an error of 1e-3 in the restitution of a central impact [s].
 
-The step is a tenth of sqrt(m*/k) with the largest stiffness k, and shorter if the force depends
-on the overlap rate or jumps.
+The step is a tenth of sqrt(m*/k), with the largest stiffness k during the impact. It is shorter
+if the force depends on the overlap rate, or if the force jumps.
 
 Args:
     radius_eff: R* [m], positive. Numbers or arrays whose shapes broadcast together, as all below.
@@ -269,7 +271,7 @@ Args:
     speed: Relative speed [m/s], positive.
 
 Returns:
-    A number, or an array of the shape all have together.
+    A number, or an array of the broadcast shape.
 
 Raises:
     ValueError: A value is out of range (the message names it, its index and the range), or the

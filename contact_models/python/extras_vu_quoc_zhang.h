@@ -33,7 +33,7 @@ Args:
     state: History of the contact, as in `respond`.
 
 Raises:
-    ValueError: A value is out of range, or the shapes do not fit together.
+    ValueError: A value is out of range, or the shapes cannot be broadcast.
 
 Source: Vu-Quoc, Zhang & Lesburg 2000, J. Appl. Mech. 67:363.)");
   law.def(
@@ -47,7 +47,7 @@ Source: Vu-Quoc, Zhang & Lesburg 2000, J. Appl. Mech. 67:363.)");
       R"(Return the force P_Y at first yield [N].
 
 Args:
-    radius_eff: R* [m], positive, of any shape.
+    radius_eff: R* [m], positive: a number or an array of any shape.
 
 Raises:
     ValueError: A value is out of range.)");

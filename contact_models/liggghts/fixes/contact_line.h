@@ -19,9 +19,9 @@ struct ContactLine {
   std::string models;                  // names of the law, its options and the other contact models
   std::string settings;                // all settings of the line: NAME WORD NAME WORD ...
   std::vector<std::string> histories;  // IDs of LIGGGHTS' fixes that store the contact histories
-  std::string constants;       // of the law, a text line per pair of atom types; empty: no history
-  bool is_new = false;         // whether the deck gave this line after the last run
-  std::string report;          // constants to print in the log; empty: printed before
+  std::string constants;  // constants of the law, a text line per pair of types; empty: no history
+  bool is_new = false;    // whether the deck gave this line after the last run
+  std::string report;     // constants to print in the log; empty: printed before
   std::uint64_t position = 0;  // hash from primitive_wall_position(); 0 for other lines
 };
 
@@ -35,8 +35,8 @@ constexpr char pair_owner[] = "pair_style";
 std::string restart_text(const ContactLines& lines);
 ContactLines read_restart_text(const std::string& text);
 
-// Stops with the error that the restart file has contacts of the models `restarted`, but the line
-// of `owner` has `models`.
+// Stops because the restart file has contacts of the models `restarted`, but the line of `owner`
+// has `models`.
 [[noreturn]] void refuse_other_models(LAMMPS_NS::LAMMPS* engine, const std::string& owner,
                                       const std::string& restarted, const std::string& models);
 

@@ -64,8 +64,8 @@ std::string HistoryKeeper::restarted_settings(const std::string& owner) const {
   const auto line = restarted_.find(owner);
   if (line != restarted_.end()) return line->second.settings;
   warn_on_first_rank(owner +
-                     ": the restart file has no settings of this line, so they have their "
-                     "defaults. Repeat the line if it had others");
+                     ": the restart file does not contain the settings of this line, so the "
+                     "defaults are used. Repeat the line if it had other settings");
   return {};
 }
 
@@ -85,7 +85,7 @@ void HistoryKeeper::write_restart(FILE* file) {
   write_state(file, text.c_str(), text.size() + 1);
 }
 
-// Adds the line of a pair style of LIGGGHTS itself, because its histories are stored too.
+// Adds the line of a pair style with LIGGGHTS' own models, because its histories are stored too.
 ContactLines HistoryKeeper::with_host_pair_style(const ContactLines& lines) const {
   ContactLines all = lines;
   LAMMPS_NS::Pair* const pair = force->pair_match("gran", 1);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Counts contacts that exceed the validity range of their law, and warns at the end of a run. Every
-// 1000 steps, if the largest overlap has grown, prints it as a machine-readable log line.
+// Counts contacts that exceed the validity range of their law, and warns at the end of a run. If
+// the largest overlap has grown in 1000 steps, prints it as a machine-readable log line.
 #pragma once
 
 #include <map>
@@ -15,7 +15,7 @@ namespace plastigran {
 
 class RangeCheck : public PluginFix {
  public:
-  // Counts of one model on this rank. Only rank 0 uses the members declared here.
+  // Counts of one model on this rank. Only rank 0 uses the members that this struct adds.
   struct Excess : RangeAccount {
     const char* range = "";
     double all_contacts = 0;                // number of contacts beyond the range on all ranks

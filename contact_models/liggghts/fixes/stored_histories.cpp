@@ -25,7 +25,7 @@ using LAMMPS_NS::FixPropertyAtom;
 
 namespace {
 
-// Returns the double with the same bits as an integer, as LIGGGHTS stores integers.
+// Returns the double with the same bits as an integer: LIGGGHTS stores integers in this way.
 double as_double(std::int64_t number) {
   double same_bits;
   std::memcpy(&same_bits, &number, sizeof number);
@@ -35,7 +35,8 @@ double as_double(std::int64_t number) {
 // Prefixes in the IDs of LIGGGHTS' history fixes. The ID of the mesh or wall follows the prefix.
 const char mesh_histories[] = "tracker_", primitive_histories[] = "history_";
 
-// Returns the mesh or wall of these histories, or null if the ID of `histories` lacks the prefix.
+// Returns the mesh or wall fix to which `histories` belongs; null if the ID of `histories` does not
+// begin with `prefix`.
 LAMMPS_NS::Fix* fix_of(LAMMPS_NS::LAMMPS* engine, const LAMMPS_NS::Fix* histories,
                        const char* prefix) {
   const std::size_t length = std::strlen(prefix);

@@ -19,10 +19,12 @@ namespace plastigran {
 
 class StoredHistories {
  public:
-  // Layout of the history values of one particle.
+  // Layout of the history values of one particle. With `has_partners`, they are the number of
+  // contacts, and for each contact the ID of the partner and `width` values. Otherwise they are the
+  // `width` values of one contact.
   struct Layout {
-    bool has_partners;  // true: number of contacts, then partner ID and values per contact
-    int width;          // number of history values per contact
+    bool has_partners;
+    int width;
 
     // Returns whether any history value differs from zero.
     bool any(const double* values, int count) const;
@@ -41,8 +43,8 @@ class StoredHistories {
   std::size_t size_of(int i) const;
   std::vector<double> of(int i) const;
 
-  // Sets the history values of a particle after a renumbering; omits contacts with deleted
-  // partners.
+  // Sets the history values of a particle, and updates the IDs of its partners to `ids`. Omits
+  // contacts with deleted partners.
   void set(int i, const double* values, int count, const NewIds& ids);
 
   void clear(int i);

@@ -49,8 +49,8 @@ void TimeStepCheck::end_of_step() {
        << stiffest_.id << " with ";
   stiffest_.partner_id ? text << "particle " << stiffest_.partner_id : text << "a wall";
   text << " at (" << stiffest_.x[0] << ' ' << stiffest_.x[1] << ' ' << stiffest_.x[2]
-       << "). Its overlap is that of an impact at " << stiffest_.speed << ". The time step is "
-       << update->dt / stiffest_.step
+       << "). An impact at the speed " << stiffest_.speed
+       << " would reach the same overlap. The time step is " << update->dt / stiffest_.step
        << " times the recommended one, for which the error in restitution is 0.1 %. Use `timestep "
        << stiffest_.step << '`';
   warn_if_first(text.str());

@@ -25,7 +25,7 @@ class TimeStepCheck : public PluginFix {
 
   // A contact and its recommended time step [s]. MPI ranks send this struct as bytes.
   struct LoadedContact {
-    double step, speed;  // speed of an impact that reaches the same overlap
+    double step, speed;  // time step [s], and speed of an impact that reaches this overlap [m/s]
     double x[3];
     int id, partner_id;  // IDs of the particles; partner_id is 0 for a wall
   };

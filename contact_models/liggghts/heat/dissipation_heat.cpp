@@ -35,7 +35,7 @@ void DissipationHeat::init() {
   shares_.read(lmp, caller);
   if (!modify->find_fix_scalar_transport_equation("heattransfer"))
     fail(
-        "no fix heat/gran found, which computes the particle temperatures. Add `fix ID all "
+        "fix heat/gran, which computes the particle temperatures, is missing. Add `fix ID all "
         "heat/gran initial_temperature T`");
   flux_ = static_cast<LAMMPS_NS::FixPropertyAtom*>(
       modify->find_fix_property("heatFlux", "property/atom", "scalar", 0, 0, style()));
@@ -56,8 +56,7 @@ void DissipationHeat::add(const Contact& contact, const AccountedLoad& on_i, con
     pairs_.push_back({contact.i, contact.j, load});
 }
 
-// Adds heat only for local particles: the rank that owns a ghost's particle adds the heat of that
-// particle.
+// Adds heat only to local particles, because the rank that owns a ghost's particle adds its heat.
 void DissipationHeat::add_plastic_work(const Contact& contact, double work) {
   const double part = shares_.of_plastic_work(contact.itype, contact.jtype);
   const double mine = part * work, others = (1 - part) * work;

@@ -7,9 +7,8 @@
 // clears at the beginning of the next one. The laws return the plastic work. The work of friction
 // and dashpots is integrated as in velocity Verlet: half a step with the old force and half a step
 // with the new force. This work is summed per contact, because each of the two bodies receives half
-// of the heat. Each rank computes only the work on its own particles, because it does not have the
-// velocity of a ghost at that time, and sends the ghost's part of the heat to the rank of its
-// particle.
+// of the heat. A rank does not have the velocities of ghosts at that time, so it computes only the
+// work on its own particles. It then sends the ghost's share of the heat to the ghost's rank.
 #pragma once
 
 #include <vector>
@@ -82,7 +81,7 @@ class DissipationHeat : public ContactObserver {
   LAMMPS_NS::FixPropertyAtom* flux_ = nullptr;  // heat flux of each particle in LIGGGHTS [W]
   std::vector<PairContact> pairs_;  // contacts on this rank in the last force computation
   std::vector<WallContact> walls_;
-  std::vector<double> heat_;   // of each local and ghost particle, not yet in the flux [J]
+  std::vector<double> heat_;   // heat of local and ghost particles, not yet in the flux [J]
   double sums_[ENTRIES] = {};  // elements of the fix's vector, summed on this rank [J]
 };
 

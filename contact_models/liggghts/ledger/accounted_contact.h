@@ -93,8 +93,8 @@ class AccountedContact : private ContactSetup, public LIGGGHTS::ContactModels::C
   // Returns whether the ledger or an observer needs the energies of these contacts.
   bool counts_energies() const { return ledger_ || !observers_.empty(); }
 
-  // Computes the forces of an overlapping pair for LIGGGHTS' loops, whose loads do not store
-  // energies.
+  // Computes the forces of an overlapping pair. LIGGGHTS' loops call this function with loads that
+  // do not store energies.
   void surfacesIntersect(Contact& contact, Load& on_i, Load& on_j) {
     if (counts_energies() && contact.computeflag)
       on_i = counted(contact, on_i, on_j);

@@ -60,8 +60,8 @@ const char* EnergyLedger::complaint(const EnergyLedger* ledger, bool requested, 
 void EnergyLedger::refuse_unsupported() {
   if (std::string(update->integrate_style) != "verlet")
     stop(lmp, "energy_ledger on: run_style " + std::string(update->integrate_style) +
-                  " is not supported, because work is summed as velocity Verlet moves the "
-                  "particles. Use `run_style verlet`, or remove energy_ledger on");
+                  " is not supported, because work is computed from the displacements of velocity "
+                  "Verlet. Use `run_style verlet`, or remove energy_ledger on");
   const std::string reason = uncountable(lmp);
   if (!reason.empty()) stop(lmp, "energy_ledger on: " + reason);
 }
@@ -294,7 +294,7 @@ void EnergyLedger::write_restart(FILE* file) {
 }
 
 void EnergyLedger::restart(char* data) {
-  // Restart files of older versions have no mark and lack adhesion_loss at the end of the sums.
+  // Restart files of older versions have no mark, and their sums end before adhesion_loss.
   Sums sums;
   double mark;
   std::memcpy(&mark, data, sizeof mark);

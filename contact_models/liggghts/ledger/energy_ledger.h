@@ -41,8 +41,8 @@ class EnergyLedger : public PluginFix {
     VISCOUS,             // work of the normal dashpot
     WALL_WORK,           // work of moving walls on the particles
     INSERTED,            // energy of inserted particles minus that of deleted ones
-    DRIFT,               // balance error: the first six, surface and adhesion - their initial sum
-                         // - wall work - inserted
+    DRIFT,               // balance error: change of the sum of KINETIC to VISCOUS, SURFACE and
+                         // ADHESION, minus WALL_WORK and INSERTED
     TANGENTIAL_SPRINGS,  // elastic energy of tangential springs, a part of FRICTION
     SURFACE,             // surface energy of the contacts, relative to separated bodies
     ADHESION,            // energy lost when contacts with adhesion form and break
@@ -56,15 +56,15 @@ class EnergyLedger : public PluginFix {
   // Adds the energy ledger if there is none. Collective.
   static void open(LAMMPS_NS::LAMMPS* engine);
 
-  // Returns why a line with or without `energy_ledger on` conflicts with `ledger` (null: no
-  // ledger); null if there is no conflict.
+  // Returns why a line with or without `energy_ledger on` conflicts with `ledger`; null if there is
+  // no conflict. `ledger` is null if no line has opened a ledger.
   static const char* complaint(const EnergyLedger* ledger, bool requested, bool is_wall);
 
   // Registers the pair style or wall `owner`, which will report its contacts, in each setup.
   void attach(const void* owner) { owners_.add(owner); }
 
-  // Adds the loads of a contact. The tangential and rolling models cause all torques, and all
-  // forces that are not along the normal.
+  // Adds the loads of a contact. All torques, and all forces that are not along the normal, come
+  // from the tangential and rolling models.
   void add(const Contact& contact, const AccountedLoad& on_i, const Load& on_j);
 
   // Adds the energies that a contact and its tangential spring store [J].
@@ -209,8 +209,9 @@ class EnergyLedger : public PluginFix {
   std::vector<Vector> dashpots_;        // forces by local particle index; empty without dashpots
 
   Sums sums_;
-  double mechanical_before_ = 0;  // before LIGGGHTS or the deck changes particles
-  double contacts_before_ = 0;    // contact_energy() at the end of the last run
+  double mechanical_before_ =
+      0;                        // mechanical_energy() before LIGGGHTS or the deck changes particles
+  double contacts_before_ = 0;  // contact_energy() at the end of the last run
 
   // Energy terms over all ranks [J], and whether they belong to the current step.
   double terms_[ENTRIES] = {};

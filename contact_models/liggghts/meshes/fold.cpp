@@ -11,7 +11,8 @@ using LAMMPS_NS::TriMesh;
 
 namespace {
 
-// The start of an edge of a triangle, and the unit vector in the triangle normal to the edge.
+// Start point of an edge of a triangle, and the unit vector from the edge into the triangle, in its
+// plane and normal to the edge.
 struct Leaf {
   double start[3], away[3];
 
@@ -27,8 +28,8 @@ struct Leaf {
   }
 };
 
-// Returns whether `other` lies in the plane of the triangle, or behind that plane as seen from the
-// particle center `centre`.
+// Returns whether the neighboring triangle `other` lies in the plane of `triangle`, or behind this
+// plane as seen from the particle center `centre`.
 bool behind(TriMesh& mesh, int triangle, const Leaf& leaf, const Leaf& other,
             const double* centre) {
   double normal[3], to_centre[3];

@@ -7,9 +7,9 @@
 
 namespace plastigran {
 
-// Returns whether a particle at `centre` touches the triangles `a` and `b` (local indices) as one
-// surface. They share an edge, and the surface bends there by at most the feature angle, or away
-// from the particle, which then touches only the nearer triangle.
+// Returns whether the triangles `a` and `b` (local indices) form one surface for a particle at
+// `centre`. They do if they share an edge where the surface bends by at most the feature angle, or
+// bends away from the particle. In the second case, the particle touches only the nearer triangle.
 bool one_surface(LAMMPS_NS::TriMesh& mesh, int a, int b, const double* centre,
                  double feature_cosine);
 

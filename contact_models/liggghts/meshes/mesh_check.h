@@ -3,10 +3,10 @@
 // Warns once of each of two problems of a particle at a mesh, which the class MeshContacts cannot
 // solve:
 //
-//   seam   a particle has two contacts where the mesh is smooth, because the triangles share no
-//          edge or node: there is a gap, or a node lies on an edge
-//   ring   a smooth surface such as a cone or a narrow pipe touches a particle on opposite sides;
-//          its one contact cannot hold the particle
+//   seam   a particle has two contacts with a smooth surface, because two triangles share no edge
+//          or node: there is a gap between them, or a node of one lies on an edge of the other
+//   ring   a smooth surface such as a cone or a narrow pipe touches a particle on opposite sides,
+//          but one contact cannot hold the particle
 #pragma once
 
 #include <optional>

@@ -17,8 +17,9 @@ namespace plastigran {
 
 namespace {
 
-// Depths that differ by less than this fraction of the radius are equal. At an edge between
-// coplanar triangles, LIGGGHTS may compute only the contact that has a history.
+// Depths that differ by less than this fraction of the radius count as equal. At an edge between
+// coplanar triangles, LIGGGHTS may compute only the contact that has a history, so this contact is
+// preferred.
 const double same_depth = 1e-11;
 
 // Tolerance of a cosine, because corners in mesh files have about seven digits.
@@ -144,9 +145,9 @@ void MeshContacts::join_surfaces(int particle, int first) {
     }
 }
 
-// An adhesive contact at negative overlap moves along its surface to the nearest triangle. Adds
-// neighboring triangles of the surface that are nearer than a known one, if the particle overlaps
-// no triangle of the surface.
+// Moves an adhesive contact at negative overlap along its surface to the nearest triangle. If the
+// particle overlaps no triangle of a surface, adds neighboring triangles of the surface that are
+// nearer than those already listed.
 void MeshContacts::add_nearer_triangles(int particle, int first) {
   if (in_contact_ < 0) return;
   const double tolerance = same_depth * engine_->atom->radius[particle];
@@ -170,8 +171,8 @@ void MeshContacts::add_nearer_triangles(int particle, int first) {
   }
 }
 
-// Returns whether two triangles form one surface for this particle: across a shared edge, or across
-// a shared node if the particle does not reach the triangle between them.
+// Returns whether two triangles form one surface for this particle. They share an edge, or they
+// share a node and the particle does not reach the triangle between them.
 bool MeshContacts::meet_as_one(int particle, int a, int b) const {
   return one_surface(*mesh_, a, b, engine_->atom->x[particle], feature_cosine_) ||
          around_a_node(*mesh_, a, b, feature_cosine_);
@@ -228,8 +229,8 @@ MeshCheck::Place MeshContacts::place(int particle, const Overlap& a, const Overl
           std::acos(cosine) * 180 / M_PI};
 }
 
-// Assigns the histories of a particle's contacts to the overlaps that carry the contacts now. If
-// two surfaces have joined, the history of the deepest triangle is kept, or else the first one.
+// Assigns the histories of a particle's contacts to the overlaps that now have these contacts. If
+// two surfaces have joined, the history of the deepest triangle is kept; if it has none, the first.
 void MeshContacts::find_histories(int particle, int first) {
   LAMMPS_NS::FixContactHistoryMesh* const stored = fix_->contactHistory();
   if (!stored || stored->get_dnum() == 0) return;
@@ -252,8 +253,8 @@ void MeshContacts::find_histories(int particle, int first) {
   }
 }
 
-// Returns the overlap that carries the contact of the triangle's surface, or null if the particle
-// has left this surface.
+// Returns the overlap that has the contact with the triangle's surface; null if the particle has
+// left this surface.
 MeshContacts::Overlap* MeshContacts::heir_of(int particle, int first, int triangle) {
   const double* const centre = engine_->atom->x[particle];
   const auto begin = overlaps_.begin() + first, end = overlaps_.end();
@@ -296,8 +297,8 @@ bool MeshContacts::is_stretched(int particle, int triangle) const {
   return slot >= 0 && fix_->contactHistory()->contacthistory(particle, slot)[in_contact_] != 0;
 }
 
-// Returns whether the particle does not reach the plane of the triangle. This fast test excludes
-// most triangles.
+// Returns whether the particle is too far from the plane of the triangle to touch it. This fast
+// test excludes most triangles.
 bool MeshContacts::beyond_its_plane(int particle, int triangle) const {
   double node[3], normal[3], to_centre[3];
   mesh_->node(triangle, 0, node);

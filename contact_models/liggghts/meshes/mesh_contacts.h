@@ -3,16 +3,16 @@
 // One contact per particle and smooth surface of a mesh.
 //
 // LIGGGHTS computes a contact with every triangle that a particle overlaps, each with its own
-// history. Along a fold the force doubles, and beyond it the residual indentation is lost. This
-// class joins the triangles that a particle overlaps into surfaces, over their edges and nodes. The
-// deepest triangle of a surface carries its contact and takes over its history. The other triangles
-// have neither force nor history.
+// history. On an edge between two triangles the force would double, and a particle that rolls
+// across the edge would lose its residual indentation. This class joins triangles that share edges
+// or nodes into surfaces. The deepest triangle of a surface has the contact and takes over its
+// history. The other triangles have neither force nor history.
 //
-// A contact that adhesion stretches lasts while the particle overlaps no triangle. The nearest
-// triangle of its surface carries it.
+// A contact that adhesion stretches lasts although the particle overlaps no triangle. The nearest
+// triangle of its surface then has the contact.
 //
-// Everything is computed in each step from the mesh and LIGGGHTS' histories. Nothing has to follow
-// particles to other ranks or into restart files.
+// The surfaces are computed in each step from the mesh and LIGGGHTS' histories. Therefore no
+// further data have to be stored in restart files or sent to other ranks.
 #pragma once
 
 #include <utility>
@@ -38,14 +38,14 @@ class MeshContacts {
     list_step_ = contact_step_ = -1;
   }
 
-  // Returns whether LIGGGHTS has to compute the contact of a local particle with a triangle that it
-  // overlaps or from which it is stretched, or the end of that contact. If so, the contact has
-  // taken over the history of its surface. `history` is LIGGGHTS' history of this contact, null if
-  // there is none.
+  // Returns whether LIGGGHTS has to compute the contact of a local particle with a triangle, or the
+  // end of that contact. The particle overlaps the triangle, or adhesion stretches the contact. If
+  // the result is true, the contact has taken over the history of its surface. `history` is
+  // LIGGGHTS' history of this contact, null if there is none.
   bool computes(int particle, int triangle, double* history);
 
  private:
-  // An overlap of a particle with a triangle, or a gap that a stretched contact may bridge.
+  // An overlap of a particle with a triangle, or a gap across which a contact may be stretched.
   struct Overlap {
     int triangle;       // local index of the triangle
     double to_foot[3];  // from the center of the particle to the nearest point of the triangle
@@ -53,7 +53,7 @@ class MeshContacts {
                    // corner to another triangle
     bool has_history;  // whether LIGGGHTS stores a history for this contact
     int surface;       // index of the first overlap with the same surface
-    bool carries;      // whether this overlap carries the contact of its surface
+    bool carries;      // whether this overlap has the contact of its surface
     double* history;   // history of the surface to take over; null if none
     int former;        // triangle that had this history
   };
@@ -87,13 +87,13 @@ class MeshContacts {
   int in_contact_;
   MeshCheck* check_ = nullptr;
 
-  // The triangles near each local particle i, from near_[first_near_[i]] to near_[first_near_[i +
-  // 1]], in LIGGGHTS' order; valid for the neighbor lists of list_step_.
+  // Triangles near local particle i, in LIGGGHTS' order: elements first_near_[i] to
+  // first_near_[i + 1] - 1 of near_. Valid for the neighbor lists built in step list_step_.
   std::vector<int> near_, first_near_;
   LAMMPS_NS::bigint list_step_ = -1;
 
-  // The overlaps of each local particle: begin and end, -1 if not yet found; valid in
-  // contact_step_.
+  // Range of each local particle's overlaps in overlaps_: begin and end, or -1 if they are not yet
+  // computed. Valid in step contact_step_.
   std::vector<std::pair<int, int>> spans_;
   std::vector<Overlap> overlaps_;
   LAMMPS_NS::bigint contact_step_ = -1;

@@ -9,7 +9,7 @@
 
 namespace plastigran {
 
-// The load on particle i of a contact, with the energies that the normal model counts.
+// Load on particle i of a contact, with the energies that the contact models report.
 struct AccountedLoad : LIGGGHTS::ContactModels::ForceData {
   AccountedLoad() {}
   explicit AccountedLoad(const ForceData& load) : ForceData(load) {}
@@ -44,7 +44,8 @@ struct AccountedLoad : LIGGGHTS::ContactModels::ForceData {
     return law.respond(radius_eff, overlap, state);
   }
 
-  // The attribute `flatten` lets the compiler remove everything but the plastic work.
+  // The attribute `flatten` inlines the law, so that the compiler can remove all results except the
+  // plastic work.
   template <class Law>
   [[gnu::flatten, gnu::noinline]] static double plastic_work_between(const Law& law,
                                                                      double radius_eff,

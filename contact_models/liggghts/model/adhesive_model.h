@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The normal model of a law with the option `adhesion jkr` (plastigran/tables/adhesive.h).
+// Normal model of a law with the option `adhesion jkr` (plastigran/tables/adhesive.h).
 #pragma once
 
 #include <memory>
@@ -13,7 +13,8 @@
 
 namespace plastigran {
 
-// `settings` is the text of settings_text() for the line; empty for a model of a restart file.
+// Creates the model. `settings` is the text of settings_text() for the line; empty for a model that
+// LIGGGHTS makes from a restart file.
 template <class Law>
 std::shared_ptr<LIGGGHTS::ContactModels::NormalModelBase> make_adhesive_model(
     LAMMPS_NS::LAMMPS* engine, ContactSetup& setup,

@@ -28,8 +28,8 @@ const std::array<CompanionKind, 4>& companion_kinds();
 // rolling, 4 surface. Each place has six bits.
 inline int model_of(std::int64_t hash, std::size_t place) { return hash >> 6 * place & 63; }
 
-// Bit of the hash behind these places: the normal model is a law with the option `adhesion jkr`.
-// Restart files contain the hash, from which LIGGGHTS creates the same contact history again.
+// The next bit of the hash, which marks a law with the option `adhesion jkr`. Restart files contain
+// the hash, so that the contact history after a restart has the same values.
 constexpr std::int64_t with_adhesion = std::int64_t{1} << 30;
 
 // Returns whether the hash contains the model `name` after `keyword`: "normal", "tangential", ...,

@@ -117,9 +117,9 @@ class ContactChecks : protected LAMMPS_NS::Pointers {
          contact.is_wall ? 0 : atom->tag[contact.j]});
   }
 
-  // Counts a contact that exceeds the validity range. In the first step of a run, a contact may
-  // have any state, because decks move particles between runs. Both ranks check a contact across
-  // their border.
+  // Counts a contact that exceeds the validity range. In the first step of a run, the contact may
+  // not have moved to this overlap by itself, because decks move particles between runs. Two ranks
+  // check a contact across their border, and each counts half of it.
   template <class AnyLaw>
   void check_range(const Contact& contact, const AnyLaw& law, double range, double radius_eff,
                    const State& before, const State& now) {

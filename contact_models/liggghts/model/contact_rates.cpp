@@ -7,8 +7,8 @@
 
 namespace plastigran {
 
-// Returns the number of history values to add: 1 if rates matter, else 0. LIGGGHTS calls this
-// function once per pair style, in the setup of its first run.
+// Returns the number of history values to add: 1 if a yield strength depends on the strain rate,
+// else 0. LIGGGHTS calls this function once per pair style, in the setup of its first run.
 int RateHistory::n_history_extra() {
   if (needed_ == Needed::unknown) {
     const DeckProperties deck(lmp, style(), atom->ntypes);
@@ -43,7 +43,7 @@ void ContactRates::connect(const DeckProperties& deck, bool rate_matters) {
   if (offset_ < 0 && rate_matters)
     deck.fail(property_name("rate_coefficient") + " must be given before " +
               (is_wall_ ? "the wall" : "the first run") +
-              ", because the contact history is laid out there. Move its line");
+              ", because the size of the contact history is fixed there. Move its line");
 }
 
 }  // namespace plastigran

@@ -2,9 +2,9 @@
 //
 // Rate factor of the yield strength in a contact. The impact speed at first touch determines this
 // factor, which is constant until the contact ends. The factor is a history value, which exists
-// only if a yield strength depends on the rate. Walls register it when they are made. Pair styles
-// get it from a fix before the first run, because the deck may define its properties after the pair
-// style or after a restart.
+// only if a yield strength depends on the strain rate. Walls register the value when they are made.
+// For pair styles, a fix registers it before the first run, because the deck may define its
+// properties after the pair style or after a restart.
 #pragma once
 
 #include "contact_interface.h"
@@ -50,7 +50,8 @@ class ContactRates {
   // Registers the history value. The constructor of a contact model calls this function.
   void begin(LIGGGHTS::IContactHistorySetup& setup, const DeckProperties& deck, bool has_types);
 
-  // Stops in the setup if rates matter but the contact history has no value for the rate factor.
+  // Stops in the setup if a yield strength depends on the rate (`rate_matters`), but the contact
+  // history has no value for the rate factor.
   void connect(const DeckProperties& deck, bool rate_matters);
 
   // Returns whether the contact history stores a rate factor.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Names of the units in a deck. Laws compute in any consistent units; the units in their messages
-// are SI and are converted here.
+// Names of the units in a deck. Laws compute in any consistent units. Their messages name SI units,
+// which these functions replace by the units of the deck.
 #pragma once
 
 #include <string>

@@ -98,8 +98,8 @@ class ElastoplasticNormalModel : public NormalModelSetup<Law> {
       if (writes) std::memcpy(history, &state, state_size);
     }
 
-    // A residual indentation carries no force and no friction. A tangential spring still needs a
-    // stiffness while it relaxes: use the stiffness of the undeformed sphere.
+    // Below the residual overlap there is no force and no friction. A tangential spring still needs
+    // a stiffness while it relaxes: use the stiffness of the undeformed sphere.
     const bool carries =
         plastigran::adhesive<Law> ? response.contact_radius > 0 : response.force > 0;
     const double contact_radius =

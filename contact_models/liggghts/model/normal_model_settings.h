@@ -33,7 +33,7 @@ class NormalModelSettings {
     settings.registerOnOff("computeDissipatedEnergy", host_dissipated_energy_, false);
   }
 
-  // Sets the text of settings that another model has read.
+  // Sets the text of the settings that another normal model has read from the same line.
   void set_text(const std::string& text) { text_ = text; }
 
   // Stores the text of the settings. Returns an error message; empty if all settings are valid.

@@ -70,7 +70,7 @@ class NormalModelSetup : public NormalModelBase {
     if (!complaint.empty()) fail(complaint);
   }
 
-  // Reads the text of the line, which another model has.
+  // Reads the settings from the text of the line, which another model has read from the deck.
   void read(const std::string& text) {
     plastigran::restore_settings(lmp, *this, text, [this] { postSettings(nullptr, nullptr); });
     settings_.set_text(text);
@@ -180,8 +180,8 @@ class NormalModelSetup : public NormalModelBase {
     neighbor->register_contact_dist_factor(1.01);
   }
 
-  // Makes LIGGGHTS call surfacesClose() as far apart as adhesion can keep two bodies in contact,
-  // twice that far, so that a contact ends before its bodies are out of sight.
+  // Makes LIGGGHTS call surfacesClose() up to twice the distance at which adhesion can keep two
+  // bodies in contact. A contact then breaks before LIGGGHTS stops calling this function for it.
   void extend_contacts() {
     if (pairs_.rate_matters())
       fail("rateCoefficient is not supported with adhesion. Remove the property");
@@ -202,8 +202,9 @@ class NormalModelSetup : public NormalModelBase {
       }
     std::ostringstream text;
     if (share > 0.2)
-      text << "the contact of the smallest particles, of radius " << smallest << ", lasts to a "
-           << "separation of " << share << " of their size; at most 0.2 is allowed. Reduce "
+      text << "adhesion keeps the smallest particles, of radius " << smallest
+           << ", in contact to a "
+           << "separation of " << share << " times their size; at most 0.2 is allowed. Reduce "
            << "surfaceEnergy, or raise youngsModulus";
     else if (owner_.is_wall() && neighbor->skin < distance)
       text << "the neighbor skin is " << neighbor->skin << "; it must be at least " << distance

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // Contact point on a wall, and the velocity of the wall at this point. A mesh moves by its velocity
-// times the time step before forces are computed; then its velocity belongs to the current step.
+// times the time step before the forces are computed, so its velocity then belongs to this step.
 #pragma once
 
 #include <array>

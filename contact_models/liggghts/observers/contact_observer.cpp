@@ -42,7 +42,8 @@ void ContactObserver::setup_pre_exchange() {
     fail("the pair_style line has a model of LIGGGHTS. Use one of this plugin's laws");
   const std::string walls = owners_.new_missing_walls(modify);
   if (comm->me == 0 && !walls.empty())
-    warn(lmp, name() + ": contacts with these walls of other models are not counted: " + walls);
+    warn(lmp,
+         name() + ": contacts with walls that have a model of LIGGGHTS are not counted: " + walls);
 }
 
 void ContactObserver::fail(const std::string& reason) const { stop(lmp, name() + ": " + reason); }

@@ -2,13 +2,13 @@
 //
 // LIGGGHTS' pair style with a faster loop over the contacts, for steps that need only forces. All
 // other steps run LIGGGHTS' loop. Both loops pass the same contacts in the same order to the same
-// models, and sum in the same order, so the results are bitwise identical. (If a compiler fuses
-// products and sums, a grazing contact may start one step later.)
+// models, and sum the forces in the same order, so the results are bitwise identical. (If a
+// compiler fuses products and sums, a grazing contact may start one step later.)
 //
 // The loop is faster for three reasons. It selects the touching pairs first, which avoids
-// mispredicted branches. It passes near pairs to the models only if they may have a contact
-// history. It counts energies in the load without copying it, and computes the stored energies in a
-// separate pass, only when the ledger needs them.
+// mispredicted branches. It passes near pairs without overlap to the models only if they may have a
+// contact history. It does not copy the load to count energies, and it computes stored energies
+// only when the ledger needs them, in a separate pass.
 #pragma once
 
 #include <cmath>
@@ -68,8 +68,8 @@ class PairLoop : public LIGGGHTS::PairStyles::Granular<Contact>, private StoredE
   // Computes the forces again, as a setup does, to get the stored energies; discards the forces.
   void count_stored_energies() override { visit_contacts<STORED_ENERGIES>(); }
 
-  // Returns whether this step needs an output or a feature that only LIGGGHTS' loop has. (The
-  // factor `relax` in LIGGGHTS' loop is 1 in the public version.)
+  // Returns whether this step needs an output or a feature that only LIGGGHTS' loop has. (This loop
+  // omits LIGGGHTS' factor `relax`, which is 1 in the public version.)
   bool needs_host_loop(LAMMPS_NS::PairGran* pair) const {
     const LAMMPS_NS::Atom* const atom = engine_->atom;
     return pair->storeContactForces() || pair->storeContactForcesStress() ||

@@ -20,7 +20,7 @@ template <class Base>
 std::shared_ptr<Base> make_model(LAMMPS_NS::LAMMPS* engine, ContactSetup& setup,
                                  LIGGGHTS::ContactModels::ContactModelBase* contact_model);
 
-// Makes the law that the setup names with the option `adhesion jkr`.
+// Creates the law that the setup names, with the option `adhesion jkr`.
 std::shared_ptr<LIGGGHTS::ContactModels::NormalModelBase> make_adhesive_model(
     LAMMPS_NS::LAMMPS* engine, ContactSetup& setup,
     LIGGGHTS::ContactModels::ContactModelBase* contact_model, const std::string& settings);
@@ -104,8 +104,8 @@ class NormalModel<ANY> : public plastigran::AnyModel<NormalModelBase> {
   }
 
  private:
-  // Replaces the law by the law with adhesion. The history values of both stay in the contact
-  // history, so that a deck and a restart file make the same history.
+  // Replaces the law by the law with adhesion. The contact history keeps the values of both, so
+  // that a line of a deck and a restart file lead to the same layout.
   void add_adhesion(const std::string& settings) {
     setup_.add_adhesion();
     model_.reset();

@@ -25,7 +25,7 @@ using LAMMPS_NS::LAMMPS;
 
 namespace {
 
-// A fix style in which LIGGGHTS stores contact histories, of pairs, meshes or primitive walls.
+// A fix style in which LIGGGHTS stores the contact histories of pairs, meshes or primitive walls.
 struct HistoryStyle {
   const char* style;
   FixCreator creator;
@@ -88,7 +88,7 @@ void discard_if_foreign(LAMMPS* engine, const std::string& fix_id, const std::st
   }
   if (owner.models.empty() && models.empty()) return;
   if (!discard_restarted(engine->modify, fix_id, style) || engine->comm->me != 0) return;
-  // Print no second message: the message about the histories suffices.
+  // Print only one message for a mesh: the message about its histories suffices.
   if (fix_id.rfind(mesh_contacts, 0) == 0) return;
   if (owner.models.empty()) {
     warn(engine, owner.name + ": the restart file has contacts of `" + models +
@@ -98,7 +98,7 @@ void discard_if_foreign(LAMMPS* engine, const std::string& fix_id, const std::st
   }
   print(engine, owner.name +
                     ": the restart file has contacts of a model of LIGGGHTS. They begin as first "
-                    "contacts, loaded to their present overlap, without tangential springs\n");
+                    "loading to their current overlap, without tangential springs\n");
 }
 
 LAMMPS_NS::Fix* make_history(LAMMPS* engine, int count, char** words) {

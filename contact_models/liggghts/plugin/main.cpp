@@ -23,7 +23,7 @@ namespace {
 
 struct CommandLine {
   std::string deck;
-  std::map<std::string, std::string> values;  // of -var, the first word by "${NAME}"
+  std::map<std::string, std::string> values;  // values of -var by "${NAME}"; of several, the first
 
   CommandLine(int argc, char** argv) {
     for (int i = 1; i + 1 < argc; ++i) {

@@ -77,8 +77,8 @@ const RegisteredCombination* find(const RegisteredCombination& models) {
   return best;
 }
 
-// Returns the error message that names the models without a compiled combination, and the possible
-// ones.
+// Returns the error message that names the models that have no compiled combination with the law,
+// and the models that are possible instead.
 std::string describe_refusal(int64_t hash) {
   std::string text = std::string("model ") + law_of(hash).name + ':';
   for (std::size_t k = 0; k < std::size(places); ++k) {

@@ -87,8 +87,8 @@ void CollisionSpectra::add(const Contact& contact, const AccountedLoad& on_i, co
   advance(records_.at(holder, place), contact, on_i, load, exchanged, first);
 }
 
-// Adds the work of one step to an impact, with velocities at mid-step. The stored old load acts on
-// the holder; the new load `load` acts on particle i.
+// Adds the work of one step to an impact, with velocities at mid-step. The stored load of the
+// previous step acts on the holder; the new load `load` acts on particle i.
 void CollisionSpectra::advance(Impact& impact, const Contact& contact, const AccountedLoad& on_i,
                                const LossyLoad& load, bool exchanged, bool first) {
   const Vector between{contact.v_i[0] - contact.v_j[0], contact.v_i[1] - contact.v_j[1],
@@ -131,8 +131,8 @@ void CollisionSpectra::setup_pre_exchange() {
   pre_exchange();
 }
 
-// Enlarges the exchange buffers for particles that move to another rank with impacts and contact
-// history.
+// Enlarges the exchange buffers, because particles move to other ranks with their impacts and
+// contact histories.
 void CollisionSpectra::pre_exchange() {
   const auto pair = static_cast<LAMMPS_NS::PairGran*>(force->pair_match("gran", 1));
   const int history = (pair->dnum() + 1) * most_contacts_ + 1;

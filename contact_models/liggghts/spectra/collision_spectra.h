@@ -30,7 +30,7 @@ class CollisionSpectra : public ContactObserver {
     IMPACTS,         // number of counted impacts
     CURRENT,         // number of current contacts
     IMPACT_ENERGY,   // energy dissipated in counted impacts [J]
-    CONTACT_ENERGY,  // energy dissipated in current contacts and those older than the fix [J]
+    CONTACT_ENERGY,  // energy dissipated in current contacts and contacts older than the fix [J]
     ENTRIES
   };
 

@@ -19,7 +19,8 @@ namespace {
 const char heading[] = "step,quantity,with,type,other_type,lower,upper,count,sum\n";
 const char* const quantities[] = {"normal_speed", "dissipated_energy", "largest_force"};
 
-// Limit of per_decade: edges of more classes would differ only in the last printed digits.
+// Largest value of per_decade. The edges of narrower classes would differ only in the last printed
+// digits.
 const long most_per_decade = 1000;
 
 // Returns the number in `word`; 0 unless the word is a positive integer.
@@ -67,7 +68,8 @@ void CollisionSpectra::open(const std::string& path) {
   if (!line.empty() && line + '\n' != heading)
     stop_from_rank(lmp,
                    name() + ": the file " + path +
-                       " is not a table of collision spectra. Choose another name, to keep it");
+                       " is not a table of collision spectra. Choose another name, so that it is "
+                       "not overwritten");
   while (std::getline(before, line) &&
          !before.eof())  // skip a truncated last line, which a killed run may leave
     if (std::atoll(line.c_str()) <= update->ntimestep) kept += line + '\n';
@@ -114,8 +116,9 @@ int CollisionSpectra::maxsize_restart() {
   return largest;
 }
 
-// Writes text to the restart file: number of particles, number and energy of impacts, energy of
-// other contacts, per_decade, number and IDs of walls, and the counts since the last table.
+// Writes the state as text to the restart file: number of particles, number and energy of impacts,
+// energy of other contacts, per_decade, number and IDs of walls, and the counts since the last
+// table.
 void CollisionSpectra::write_restart(FILE* file) {
   const double impacts = compute_vector(IMPACTS), impact_energy = compute_vector(IMPACT_ENERGY);
   const double contact_energy = compute_vector(CONTACT_ENERGY);

@@ -58,13 +58,13 @@ class ImpactRecords {
   // Stores the particle IDs at the end of a run, because decks may renumber particles.
   void store_ids(const int* ids, int count);
 
-  // Updates partners and holders to the current IDs before the next run. An impact ends uncounted
-  // if one of its particles was deleted. `former_total`: number of particles at the end of the last
-  // run, on all ranks. Collective.
+  // Updates partners and holders to the current IDs before the next run. If one of its particles
+  // was deleted, an impact is removed and not counted. `former_total`: number of particles on all
+  // ranks at the end of the last run. Collective.
   void renumber(const int* ids, int count, long former_total, MPI_Comm ranks);
 
-  // Functions that convert the impacts of a particle to values in a buffer, and back. Each returns
-  // the number of values.
+  // The next three functions convert the impacts of a particle to values in a buffer, and back.
+  // Each returns the number of values.
   int size(int i) const { return 2 + values_each * held_[i].keys.size(); }
   int largest_size(int count) const;
   int write(int i, double* buffer) const;

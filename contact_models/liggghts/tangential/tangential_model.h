@@ -3,8 +3,9 @@
 // Tangential contact model of LIGGGHTS for any tangential law (plastigran/friction/). Stores the
 // state of the law in the contact history.
 //
-// The tangential dashpot acts beside the law. Both together are at most mu times the limiting force
-// of the normal model: the normal force without its dashpot, plus the pull-off force.
+// A tangential dashpot is added to the force of the law. The sum is limited to mu times the
+// limiting force of the normal model: the normal force without its dashpot, plus the pull-off
+// force.
 #pragma once
 
 #include <algorithm>
@@ -35,7 +36,8 @@ inline int add_vector(LIGGGHTS::IContactHistorySetup& setup, const std::string& 
   return offset;
 }
 
-// ID of a law in LIGGGHTS' hash of a combination, and the values of its state after the normal.
+// ID of a law in LIGGGHTS' hash of a combination, and the state values that follow the normal
+// vector.
 template <class Law>
 struct TangentialHistory;
 

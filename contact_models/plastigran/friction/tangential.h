@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The contract of a tangential law. Neither this header nor a law allocates, throws, reads a
-// variable that changes, or depends on a host program.
+// Interface of tangential laws. This header and the laws neither allocate nor throw, do not read
+// mutable globals, and do not depend on a host program.
 //
 // A law is a class with these members:
 //
@@ -10,10 +10,10 @@
 //   state_size(rings)                   number of leading doubles of State that the law uses
 //   respond(load, motion, state)        advances the state by one step and returns the Response
 //
-// The law needs two values of the normal contact: the force and the tangential stiffness 8 G* a of
-// its contact radius. It takes the contact for elastic on unloading, with a^3 proportional to the
-// force, so that 3/2 force/stiffness is the tangential displacement per unit share of friction.
-// Hertz's contact and the unloading of most laws have this property exactly.
+// A law needs two values of the normal contact: the force, and the tangential stiffness 8 G* a of
+// the contact radius a. The law assumes that unloading is elastic with a^3 proportional to the
+// force. The tangential displacement per unit share of friction is then 3/2 force/stiffness. This
+// assumption is exact for the Hertz contact and for the unloading of most laws.
 //
 // SI units throughout.
 #pragma once
@@ -53,7 +53,7 @@ struct NormalLoad {
 
 // Relative motion of the two bodies in a step.
 struct TangentialMotion {
-  Vector3 displacement;  // of the first body's surface relative to the second's [m]
+  Vector3 displacement;  // displacement of the first body's surface relative to the second's [m]
   Vector3 normal;        // unit vector of the contact at the end of the step
   double spin = 0;       // rotation of the pair about the normal, mean of both bodies [rad]
 };
@@ -77,7 +77,7 @@ class FrameRotation {
     if (spin_ != 0) sine_ = std::sin(spin_), cosine_ = std::cos(spin_);
   }
 
-  // A vector of the old plane in the new plane.
+  // Returns a vector of the old plane, rotated to the new plane.
   PLASTIGRAN_DEVICE Vector3 operator()(const Vector3& old) const {
     const Vector3 turned = cross(turn_, old);
     Vector3 vector = old + turned + rest_ * cross(turn_, turned);

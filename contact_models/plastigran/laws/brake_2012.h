@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // Brake 2012 (Int. J. Solids Struct. 49:3129): Hertz until yield, full plasticity at the
-// indentation pressure P0, and in between a cubic that matches values and slopes at both ends.
+// indentation pressure P0, and in between a cubic that matches values and slopes at both ends. In
+// yield units, x = overlap/overlap_y and f = F/F_y:
 //
 //   overlap_y = R* (pi p_y/2E*)^2,  a_p = 3 pi P0 R*/(4E*),  alpha = a_p/a_y,  x_p = alpha^2
 //   f = alpha (2x - alpha^2),  a^2 = (2x - alpha^2) a_y^2          x >= x_p
 //   overlap_max - overlap_res = 3 F_max/(4 E* a_max)
 //
-// The constants follow from these conditions (derivation: docs/laws/brake_2012.md). Full plasticity
-// begins where Hertz' mean pressure is P0. From there the contact area grows as the section of an
-// undeformed sphere. Force, radius and their slopes are continuous. Unloading keeps the contact
-// area. Onset, growth and unloading are assumptions of this package.
+// Three conditions determine the constants (derivation: docs/laws/brake_2012.md). Full plasticity
+// begins where the mean pressure of the Hertz contact is P0. Beyond, the contact area grows like
+// the section of a plane with an undeformed sphere. Unloading begins with the contact area of the
+// largest overlap. These conditions are assumptions of this package.
 //
-// Near yield, the published rebound speed is up to 5 % higher than the impact speed; the energy
-// guard prevents this. Range: as accurate as the given P0; P0 must be above 2/3 p_y.
+// Near yield, the rebound speed of the published law is up to 5 % higher than the impact speed; the
+// energy guard prevents this. Range: the law is as accurate as the given P0, which must be above
+// 2/3 p_y.
 #pragma once
 
 #include "plastigran/shared/indentation_pressure.h"
@@ -52,7 +54,8 @@ struct Brake2012Curve {
               pair.yield_pressure),
         breaks{1, alpha * alpha} {}
 
-  // Returns the cubic at x that passes (1, value) with `slope` and (x_p, value_p) with `slope_p`.
+  // Returns the value at x of the cubic that passes through (1, value) with the slope `slope`, and
+  // through (x_p, value_p) with the slope `slope_p`.
   PLASTIGRAN_DEVICE double between(double x, double value, double slope, double value_p,
                                    double slope_p) const {
     const double length = breaks[1] - 1, t = (x - 1) / length, back = 1 - t;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // Brake 2015 (Int. J. Solids Struct. 62:104): Hyperbolic secants blend the Hertz force into a
-// plastic indentation with Meyer index n. As collected in Ghaednia et al. 2015 (Int. J. Impact Eng.
-// 86:307), eqs 28-31, repaired.
+// plastic indentation with Meyer index n. The equations are those of Ghaednia et al. 2015 (Int. J.
+// Impact Eng. 86:307), eqs 28-31, corrected as in docs/laws/brake_2015.md. In yield units, x =
+// overlap/overlap_y and f = F/F_y, where yield begins at the contact pressure p_y:
 //
 //   overlap_y = R* (pi p_y/2E*)^2,  overlap_p = R* (3 pi P0/2E*)^2,  x_p = overlap_p/overlap_y
 //   s = (x - 1)/(x_p - 1)
@@ -23,7 +24,8 @@ namespace plastigran {
 struct Brake2015Curve {
   static constexpr const char* name = "brake_2015";
   static constexpr const char* source = "Brake 2015, Int. J. Solids Struct. 62:104";
-  static constexpr const char* range = "small strain; as good as the indentation pressure given";
+  static constexpr const char* range =
+      "small strain; as accurate as the given indentation pressure";
   static constexpr bool self_similar = true;
   struct Parameters {
     double indentation_pressure = 0;  // P0 [Pa]

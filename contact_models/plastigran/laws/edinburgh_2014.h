@@ -14,7 +14,7 @@
 // Morrissey 2013 (PhD thesis, Edinburgh) instead derives k_adh from a surface energy and the
 // largest contact.
 //
-// Range: the ratios of stiffness are fitted; overlaps below R*.
+// Range: the ratios of stiffness must be fitted; overlaps below R*.
 #pragma once
 
 #include "plastigran/shared/adhesive_limit.h"
@@ -36,7 +36,7 @@ class Edinburgh2014 : public AdhesiveLimit<Edinburgh2014> {
   };
   static constexpr std::array<Parameter<Parameters>, 3> parameters{{
       {"stiffness_ratio", "-", &Parameters::stiffness_ratio, 1.0001, 1e6,
-       "k_2/k_1, unloading over loading stiffness"},
+       "k_2/k_1, ratio of unloading to loading stiffness"},
       {"adhesion_ratio", "-", &Parameters::adhesion_ratio, 0, 1e6, "k_adh/k_1"},
       {"constant_force", "N", &Parameters::constant_force, -1e6, 0,
        "f_0, constant attractive force"},

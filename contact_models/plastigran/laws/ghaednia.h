@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // Ghaednia, Marghitu & Jackson 2014 (J. Tribol. 137:011403): the law of Jackson & Green refitted to
-// the impact of a rod on a flat, with deformation of both bodies. As collected in Ghaednia et al.
-// 2015 (Int. J. Impact Eng. 86:307), eqs 32-34. Symbols as in jackson_green.h.
+// the impact of a rod on a flat, with deformation of both bodies. The equations are those of
+// Ghaednia et al. 2015 (Int. J. Impact Eng. 86:307), eqs 32-34. Symbols as in jackson_green.h:
 //
 //   f = exp(-0.17 x^(5/12)) x^1.5 + 4H/(C sigma_Y) (1 - exp(-x^(5/9)/78)) x^1.1   x > 1.9
 //   overlap_res = 0.8 overlap_max (1 - ((x + 5.5)/6.5)^-2)                        x > 1.9
 //
-// In the source, 1.1 may be an exponent of x (option loading exponent, the default) or a factor of
-// x (option loading prefactor). The force jumps by -10 % at x = 1.9.
+// In print, 1.1 may be an exponent of x (option `loading exponent`, the default) or a factor of x
+// (option `loading prefactor`). The force jumps by -10 % at x = 1.9.
 // Range: one steel on iron, overlaps to about 1000 overlap_c.
 #pragma once
 

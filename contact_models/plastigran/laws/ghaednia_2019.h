@@ -1,25 +1,26 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // Ghaednia, Brake, Berryhill & Jackson 2019 (J. Tribol. 141:031402): flattening of a sphere with
-// linear hardening by a rigid plane, fitted to finite elements. The force lies between Hertz and
-// the law of Jackson & Green (laws/jackson_green.h: C, x, here f_p and a_p), which it equals
-// without hardening:
+// linear hardening by a rigid plane, fitted to finite elements. The force lies between the Hertz
+// force and that of the law of Jackson & Green, which it equals without hardening. C and x as in
+// laws/jackson_green.h, whose f and a are f_p and a_p here:
 //
 //   f = f_p + (x^1.5 - f_p) (1 - exp(-3.3 E_t/E))             x > 1.9; Hertz before
 //   a = a_e + (a_p - a_e) e^Y,   a_e^2 = R overlap
 //   Y = -2 sqrt(E/sigma_Y) (E_t/E)^(1 - (overlap - overlap_c)/R)
 //       / ((4 - 3 exp(-2 sqrt(E/sigma_Y) E_t/E)) (1 - E_t/E)),  0 without hardening
 //
-// with H in f_p at the a of this law. The printed equation for Y differs; this form is in general
-// use. Beyond overlap = overlap_c + R, the exponent of E_t/E in Y stays 0.
+// The hardness H in f_p is evaluated at the contact radius a of this law. The equation for Y is
+// that of the package tmdsimpy, which differs from the printed one. Beyond overlap = overlap_c + R,
+// the exponent of E_t/E in Y stays 0.
 //
 // R and E' belong to the fitted sphere, which fitted_sphere.h defines for two bodies.
 //
 //   overlap_max - overlap_res = overlap_c f/x^0.5, n = 3/2    option unloading brake_2015 (default)
 //   overlap_res = overlap_max (1 - x^-0.28)(1 - x^-0.69), n = 1.5 x^-0.0331           etsion_2005
 //
-// The force jumps at x = 1.9 as in the law of Jackson & Green, and less with hardening. Range: a/R
-// <= 0.41 without hardening, as for Jackson & Green.
+// The force jumps at x = 1.9 as in the law of Jackson & Green; the jump is smaller with hardening.
+// Range: a/R <= 0.41 without hardening, as for Jackson & Green.
 #pragma once
 
 #include "plastigran/laws/jackson_green.h"

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Jackson & Green 2005 (J. Tribol. 127:343), flattening of an elastic-perfectly plastic sphere by a
-// rigid plane, fitted to finite elements; residual of Jackson, Green & Marghitu 2010 (Nonlinear
-// Dyn. 60:217). As collected in Ghaednia et al. 2015 (Int. J. Impact Eng. 86:307), eqs 9-14.
+// Jackson & Green 2005 (J. Tribol. 127:343): flattening of an elastic-perfectly plastic sphere by a
+// rigid plane, fitted to finite elements. Residual overlap: Jackson, Green & Marghitu 2010
+// (Nonlinear Dyn. 60:217). The equations are those of Ghaednia et al. 2015 (Int. J. Impact Eng.
+// 86:307), eqs 9-14. f is F divided by the Hertz force at overlap_c:
 //
 //   C = 1.295 exp(0.736 nu),  overlap_c = R (pi C sigma_Y/2E')^2,  x = overlap/overlap_c
 //   f = x^1.5                                                             x <= 1.9
@@ -10,13 +11,13 @@
 //   a^2 = R overlap (x/1.9)^B,  B = 0.14 exp(23 sigma_Y/E')
 //   H/sigma_Y = 2.84 - 0.92 (1 - cos(pi a/R))                  option hardness cosine (default)
 //   H/sigma_Y = 2.84 (1 - exp(-0.82 (a/R)^-0.7))               option hardness exponential (2005)
-//   overlap_res = 1.02 overlap_max (1 - ((x + 5.9)/6.9)^-0.54)            0 up to 1.9
+//   overlap_res = 1.02 overlap_max (1 - ((x + 5.9)/6.9)^-0.54)            x > 1.9; 0 before
 //
 // R and E' belong to the fitted sphere, which fitted_sphere.h defines for two bodies.
 //
-// The fitted residual overlap would exceed overlap_max from x = 10 000; therefore at least 1 % of
-// the overlap is recovered. The force jumps at x = 1.9, by +0.5 % for small sigma_Y/E' and nu =
-// 0.3. Range: a/R <= 0.41.
+// From x = 10 000, the fitted residual overlap would exceed overlap_max; therefore the law recovers
+// at least 1 % of the overlap. The force jumps at x = 1.9, by +0.5 % for small sigma_Y/E' and
+// nu = 0.3. Range: a/R <= 0.41.
 #pragma once
 
 #include "plastigran/shared/fitted_sphere.h"

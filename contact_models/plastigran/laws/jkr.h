@@ -2,7 +2,7 @@
 //
 // Adhesive elastic spheres: Johnson, Kendall & Roberts 1971 (Proc. R. Soc. Lond. A 324:301).
 // Equations in shared/adhesion.h. The contact forms at first touch, at zero overlap, and lasts
-// until pull-off:
+// until pull-off. F_c is the pull-off force, Gamma the work of adhesion:
 //
 //   F |                 /        forms: overlap 0, F = -8/9 F_c
 //     |               /          least force: -F_c = -3/2 pi Gamma R*

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Katta & Polycarpou 2010 (J. Tribol. 132:041402): the cylinder of Lim & Stronge (lim_stronge.h,
-// line_loading.h) with a smaller residual indentation and curved unloading. Misprinted equations
-// are corrected.
+// Katta & Polycarpou 2010 (J. Tribol. 132:041402): the cylinder of Lim & Stronge (lim_stronge.h)
+// with a smaller residual indentation and curved unloading. R, R_e, D, k, q and a as in
+// line_loading.h. Misprinted equations are corrected.
 //
 //   overlap_res = a_res^2/(2 R_b),   1/R_b = 1/R - 1/R_e
 //   a_res^2 = a_max^2 - a_el^2,      a_el^2 = 4 q_max/(1/R + 1/R_b)
@@ -23,8 +23,8 @@ struct CurvedRebound {
   static constexpr const char* name = "katta_polycarpou";
   static constexpr const char* source = "Katta & Polycarpou 2010, J. Tribol. 132:041402";
   static constexpr bool straight = false;
-  // Returns overlap_max - overlap_res: the value of Lim & Stronge plus the fraction r/(2 - r), r =
-  // R/R_e, of their residual overlap, which is 2 (1 - r) load/r.
+  // Returns overlap_max - overlap_res: the value of Lim & Stronge, plus the fraction r/(2 - r) of
+  // their residual overlap 2 (1 - r) load/r, where r = R/R_e.
   PLASTIGRAN_DEVICE static double recovery(double load_y, double overlap_y, double load,
                                            double flattening) {
     return overlap_y + 2 * (load - load_y) + 2 * load * (1 - flattening) / (2 - flattening);

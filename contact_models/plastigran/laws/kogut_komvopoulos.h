@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Kogut & Komvopoulos 2004 (J. Mater. Res. 19:3641), indentation by a rigid sphere, fitted to
-// finite elements; as collected in Ghaednia et al. 2015 (Int. J. Impact Eng. 86:307), eqs 20-22,
-// repaired.
+// Kogut & Komvopoulos 2004 (J. Mater. Res. 19:3641): indentation by a rigid sphere, fitted to
+// finite elements. The equations are those of Ghaednia et al. 2015 (Int. J. Impact Eng. 86:307),
+// eqs 20-22, corrected as in docs/laws/kogut_komvopoulos.md:
 //
 //   r'^2 = overlap (2R - overlap),  t = overlap/r',  yield at (E'/sigma_Y) t = 1.78
 //   F = pi r'^2 sigma_Y N/D
@@ -13,8 +13,9 @@
 //
 // At yield, the force jumps by +11 % and the residual overlap jumps from 0 to three quarters of the
 // overlap. Restitution therefore drops from 1 to one half and stays there: use the law only for
-// well-developed plasticity. D would vanish for deep indentation, so it is at least 0.71, the limit
-// of Ye & Komvopoulos. Beyond overlap = R, pressure and area are constant.
+// well-developed plasticity. For deep indentation, D would become zero, so it is limited to at
+// least 0.71, its value in ye_komvopoulos.h at full plasticity. Beyond overlap = R, pressure and
+// area are constant.
 #pragma once
 
 #include "plastigran/shared/fitted_sphere.h"

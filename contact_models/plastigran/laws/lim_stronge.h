@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // Lim & Stronge 1998 (Math. Comput. Model. 28:323): a rigid cylinder on an elastic-plastic body in
-// plane strain. Loading as in line_loading.h; equations as collected in Katta & Polycarpou 2010 (J.
-// Tribol. 132), with misprints corrected.
+// plane strain. Loading and symbols as in line_loading.h. The equations are those of Katta &
+// Polycarpou 2010 (J. Tribol. 132:041402), with corrected misprints:
 //
 //   overlap_res = a_max^2/(2 R_b),   1/R_b = 1/R - 1/R_e
 //   F = F_max (overlap - overlap_res)/(overlap_max - overlap_res)
@@ -13,8 +13,8 @@
 //     |_____/__/____ overlap
 //
 // Range: length >= 10 R*, contact narrower than 0.6 thicknesses (nu near 0.25). Unloading follows
-// the elastic curve below yield and a straight line above, so the unloading curve jumps at yield,
-// but the force does not.
+// the elastic curve if the contact has not yielded, otherwise a straight line. The unloading curve
+// therefore jumps at yield, but the force does not.
 #pragma once
 
 #include "plastigran/tables/line_contact.h"

@@ -10,8 +10,9 @@
 //
 // Beyond overlap_limit the contact follows its unloading line, elastic with k_2. On the adhesive
 // limit, overlap_max decreases so that the contact stays on its unloading line: overlap_max is the
-// positive root of x^2 - overlap x = (k_1 + k_c) overlap overlap_limit/(k_2 - k_1). Without
-// overlap, the force is zero. The source writes 2 a_1 a_2/(a_1 + a_2) for 2 R*.
+// positive root x of x^2 - overlap x = (k_1 + k_c) overlap overlap_limit/(k_2 - k_1). Without
+// overlap, the force is zero. In the source, 2 R* is 2 a_1 a_2/(a_1 + a_2), with the radii a_1,
+// a_2.
 //
 //   F |          / |
 //     |        /  /        k_1, then k
@@ -20,7 +21,7 @@
 //     | \      /
 //     |   \   /            -k_c
 //
-// Range: stiffnesses are fitted; overlaps far below R*.
+// Range: the stiffnesses must be fitted; overlaps far below R*.
 #pragma once
 
 #include "plastigran/shared/adhesive_limit.h"
@@ -40,7 +41,8 @@ class Luding2008 : public AdhesiveLimit<Luding2008> {
     double plasticity_depth = 0.05;
   };
   static constexpr std::array<Parameter<Parameters>, 4> parameters{{
-      {"loading_stiffness", "N/m", &Parameters::loading_stiffness, 1e-6, 1e15, "k_1"},
+      {"loading_stiffness", "N/m", &Parameters::loading_stiffness, 1e-6, 1e15,
+       "k_1, stiffness of first loading"},
       {"unloading_stiffness", "N/m", &Parameters::unloading_stiffness, 1e-6, 1e18,
        "k_2, largest stiffness of unloading, above k_1"},
       {"adhesive_stiffness", "N/m", &Parameters::adhesive_stiffness, 0, 1e18,

@@ -1,21 +1,23 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // Stronge 2000 (Impact Mechanics, ch. 6): elastic, then elastic-plastic with a mean pressure that
-// rises with the logarithm of the contact radius, then fully plastic at 2.8 sigma_Y.
+// rises with the logarithm of the contact radius, then fully plastic at a mean pressure of 2.8
+// sigma_Y. f is F divided by the force at yield:
 //
 //   a_Y = (3 pi/4) th sigma_Y R*/E*, th = 1.1;  x = overlap/overlap_Y;  q = 2x - 1 = (a/a_Y)^2
 //   f = x^1.5                  x <= 1
 //   f = q (1 + ln q/(3 th))    until the mean pressure is 2.8 sigma_Y, at q = exp(3 (2.8 - th))
 //   f = q 2.8/th               beyond
 //
-// The sources do not state the unloading curve. Three versions are in use, all with n = 3/2:
+// The sources do not state the unloading curve. Three versions are in use, all with a force
+// proportional to (overlap - overlap_res)^(3/2):
 //   book             overlap_max - overlap_res = overlap_Y sqrt(q)           (default)
 //   area             constant contact area: 3 F_max/(4 E* a_max)
 //   original_radius  Hertz with the undeformed R*: (3 F_max/(4 E* sqrt(R*)))^(2/3)
 //
 // The force is continuous, but its slope increases by a factor of 1.74 at yield. Every version
-// would therefore release more energy than loading took, up to x = 1.9 (book) or 4.0; the energy
-// guard prevents this. Residual overlaps are at least 0.
+// would therefore release more energy than loading took, up to x = 1.9 (`book`) or 4.0 (the other
+// two); the energy guard prevents this. Residual overlaps are at least 0.
 #pragma once
 
 #include "plastigran/tables/power_unloading.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // Thornton 1997 (J. Appl. Mech. 64:383): the Hertz pressure is cut off at a limiting contact
-// pressure p_y. Equations as collected in Zhang & Vu-Quoc 2002 (Int. J. Impact Eng. 27:317),
-// eqs 4.10-4.11; unloading radius from the preserved contact area at the largest overlap.
+// pressure p_y. The equations are those of Zhang & Vu-Quoc 2002 (Int. J. Impact Eng. 27:317), eqs
+// 4.10-4.11. Unloading begins with the contact area of the largest overlap.
 //
 //   overlap_y = R* (pi p_y / 2 E*)^2                      yield
 //   F = 4/3 E* sqrt(R*) overlap^(3/2)                     overlap <= overlap_y
@@ -11,8 +11,8 @@
 //   F = F_max x^(3/2),  a = a_max x^(1/2),  x = (overlap - overlap_res)/(overlap_max - overlap_res)
 //
 //   F |           /            first loading: Hertz, then a straight line
-//     |         //             unloading and reloading on one curve back to F_max,
-//     |       / /              then first loading continues
+//     |         //             unloading and reloading: one curve up to F_max,
+//     |       / /              where first loading continues
 //     |    _/  |
 //     |__/____/______ overlap
 //          overlap_res
@@ -61,7 +61,7 @@ class Thornton : public NoConstants, public LargestOverlap {
     return response;
   }
 
-  // For tables/adhesive.h, in yield units.
+  // Interface for tables/adhesive.h, in yield units.
   typedef PowerOfOverlap<Thornton> Rebound;
   double elastic_range() const { return yield_overlap_ratio_; }
   PLASTIGRAN_DEVICE static Peak after_loading(double x) {

@@ -106,7 +106,7 @@ class ThorntonNing1998 {
     double radius, overlap;  // R_p*, overlap_p
   };
 
-  // The root of 2 s^3/R* - pi p_y/E* s - c.
+  // Returns s_y, the root of 2 s^3/R* - pi p_y/E* s - c, and the pressure of the guarded law.
   PLASTIGRAN_DEVICE Yield yield_of(double radius_eff, double pressure) const {
     const double half = 0.25 * contact_.pull() * radius_eff;
     const double area = pressure * radius_eff / (2 * contact_.modulus()), scale = std::sqrt(area);

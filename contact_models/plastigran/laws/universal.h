@@ -5,8 +5,8 @@
 // (docs/laws/universal.md). F_Y = 4/3 E* a_Y^3/R*, overlap_Y = a_Y^2/R*, a_Y = pi p_y R*/(2 E*),
 // s = t - 1, t = (overlap/overlap_Y)^(1/2):
 //
-//   q = (q_1 + s)/(q_1 + w s) + q_2 h s/(1 + q_3 s)       strength/strength at yield
-//   S = <t/q - 1>
+//   q = (q_1 + s)/(q_1 + w s) + q_2 h s/(1 + q_3 s)       strength divided by strength at yield
+//   S = max(t/q - 1, 0)
 //   F = F_Y t^3/(1 + f_1 S^2 (S + f_2)/((S + f_3)(S + f_4)) (1 + f_5 Z)),  Z = (r S)^2/(1 + r S)
 //   a = a_Y t (1 + c_1 S^2/((1 + c_4 h) S^2 + c_2 S + c_3))^(1/2) (1 + c_5 Z)
 //   overlap_max - overlap_res = (1 - D) 3 F/(4 E* a),   D = d_1 S^2/(S^2 + d_2 S + d_3)
@@ -15,10 +15,10 @@
 //   y = (overlap - overlap_res)/(overlap_max - overlap_res)
 //
 // w is p_y/sigma_Y divided by its value at nu = 0.3, because far from yield only sigma_Y matters.
-// h = (p_y/sigma_Y) H/E', H the plastic modulus; r = a_Y/R. E' and R are those of the fitted
-// sphere, see fitted_sphere.h. If a hard sphere indents a flat, the yielding body has no radius:
-// option yielding flat sets r = 0. During unloading, the contact radius is proportional to
-// dF/d(overlap).
+// h = (p_y/sigma_Y) H/E' with the plastic modulus H; r = a_Y/R. E' and R belong to the fitted
+// sphere, which fitted_sphere.h defines. If a hard sphere indents a flat, the yielding body has no
+// radius: the option `yielding flat` sets r = 0. During unloading, the contact radius is
+// proportional to dF/d(overlap).
 //
 // Restitution is at most 1, because beyond yield F/t^3 and (released energy)/(F^2/a) decrease, and
 // a/t increases. If all three were constant, as in a Hertz contact, the released energy would equal

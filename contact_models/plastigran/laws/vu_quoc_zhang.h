@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // Vu-Quoc & Zhang 1999 (Proc. R. Soc. A 455:4013), total-overlap form of Zhang & Vu-Quoc 2002
-// (Int. J. Impact Eng. 27:317), eqs 4.1-4.9: the contact radius is an elastic part plus a plastic
-// part, and plastic flow enlarges the radius of curvature, both linearly in the force beyond yield.
+// (Int. J. Impact Eng. 27:317), eqs 4.1-4.9. The contact radius is an elastic part plus a plastic
+// part, and plastic flow enlarges the radius of curvature. Both grow linearly with the force beyond
+// the yield force P_Y; <x> is max(x, 0):
 //
 //   a = a_e + a_p,  a_e^3 = 3 F R*/(4 E*),  a_p = C_a <F - P_Y>,  C_R = 1 + K_c <F - P_Y>
 //   overlap = a^2 / (C_R R*)                        first loading
 //   unloading, reloading: a_p and C_R keep their values at the largest force
 //   P_Y = pi^3 R*^2 p_y^3/(6 E*^2),  a_Y = pi p_y R*/(2 E*),  overlap_Y = a_Y^2/R*   (yield)
 //
-// In s = a_e/a_Y, with F = P_Y s^3, u = <s^3 - 1>, c_a = C_a P_Y/a_Y, k_c = K_c P_Y, the law is
-// independent of size and material:
+// With s = a_e/a_Y, F = P_Y s^3, u = <s^3 - 1>, c_a = C_a P_Y/a_Y and k_c = K_c P_Y, the law does
+// not depend on size and material:
 //
 //   overlap/overlap_Y = A^2/C,   A = s + c_a u,   C = 1 + k_c u
 //

@@ -8,7 +8,7 @@
 //
 // With S = 0 restitution is (k_1/k_2)^(1/2) at any speed. With k_2' = k_1 and S > 0 it falls with
 // speed v: (w/(S v + w))^(1/2), w^2 = 2 k_1/m for two spheres of mass m.
-// Range: stiffnesses are fitted; the law itself depends on neither size nor material.
+// Range: the stiffnesses must be fitted; the law itself depends on neither size nor material.
 #pragma once
 
 #include "plastigran/shared/contact.h"
@@ -30,7 +30,8 @@ class WaltonBraun : public LargestOverlap {
     double unloading_stiffness_slope = 0;
   };
   static constexpr std::array<Parameter<Parameters>, 3> parameters{{
-      {"loading_stiffness", "N/m", &Parameters::loading_stiffness, 1e-6, 1e15, "k_1"},
+      {"loading_stiffness", "N/m", &Parameters::loading_stiffness, 1e-6, 1e15,
+       "k_1, stiffness of first loading"},
       {"unloading_stiffness", "N/m", &Parameters::unloading_stiffness, 0, 1e18,
        "k_2' (k_2 at zero load), at least k_1; 0 means k_1"},
       {"unloading_stiffness_slope", "1/m", &Parameters::unloading_stiffness_slope, 0, 1e15,
@@ -41,7 +42,7 @@ class WaltonBraun : public LargestOverlap {
            constants.unloading_stiffness >= constants.loading_stiffness;
   }
   static constexpr const char* admissibility =
-      "{unloading_stiffness} must be at least {loading_stiffness}, or 0";
+      "{unloading_stiffness} must be at least {loading_stiffness}, or 0 for the same stiffness";
 
   WaltonBraun(const MaterialPair&, const Parameters& constants)
       : loading_(constants.loading_stiffness),

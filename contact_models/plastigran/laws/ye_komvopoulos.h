@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Ye & Komvopoulos 2003 (J. Tribol. 125:685), indentation by a rigid sphere, fitted to finite
-// elements; as collected in Ghaednia et al. 2015 (Int. J. Impact Eng. 86:307), eqs 23-27, repaired.
+// Ye & Komvopoulos 2003 (J. Tribol. 125:685): indentation by a rigid sphere, fitted to finite
+// elements. The equations are those of Ghaednia et al. 2015 (Int. J. Impact Eng. 86:307), eqs
+// 23-27, corrected as in docs/laws/ye_komvopoulos.md:
 //
 //   r'^2 = overlap (2R - overlap),  Q = (E'/sigma_Y) overlap/r',  yield at Q = 1.78
 //   F = p A;  p/sigma_Y = 0.70 ln Q + 0.66, 2.9 above Q = 21
 //   A = pi r'^2/(0.05 ln^2 Q - 0.57 ln Q + 2.41), pi r'^2/0.71 above Q = 400
 //   residual overlap: as Jackson & Green, at least 0 (as in Ghaednia et al. 2015)
 //
-// The force jumps by -5 % at yield, +4 % at Q = 21 and +11 % at Q = 400. Below yield, the published
-// line equals Hertz up to O(overlap/R); here Hertz is used. Beyond overlap = R, pressure and area
-// are constant. R and E' belong to the fitted sphere, which fitted_sphere.h defines for two bodies.
+// The force jumps by -5 % at yield, +4 % at Q = 21 and +11 % at Q = 400. Below yield, this law is
+// Hertz; the published line differs from Hertz by terms of order overlap/R. Beyond overlap = R,
+// pressure and area are constant. R and E' belong to the fitted sphere, which fitted_sphere.h
+// defines for two bodies.
 #pragma once
 
 #include "plastigran/laws/jackson_green.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // Forecast of the hardest impacts at the current velocities: for each pair of atom types that can
-// touch, the smallest particles at the largest relative speed. The extremes of the velocity
-// components limit the relative speed, so a common velocity of all particles does not count.
+// touch, an impact of the smallest particles at the largest relative speed. The relative speed
+// follows from the extremes of the velocity components, so a common velocity has no effect.
 #pragma once
 
 #include <algorithm>

@@ -10,12 +10,12 @@
 //   F_k(R*, overlap) = F(k^2 R*, overlap)/k, and likewise for contact radius and energies
 //
 // A law in which only a few constants depend on the strength has respond_stronger(k, radius_eff,
-// overlap, state). For all others, where a/R or sigma_Y/E matters, two more tables at larger
-// factors k_j are built before a run. The two tables next to k give responses for k/k_j as above.
-// They are interpolated linearly in k^2, because the leading term in a/R is quadratic. The factor
-// of a contact is constant, so the weights (0 to 1) are constant along its path. The force
-// therefore remains the derivative of the energies, and plastic work never decreases.
-// docs/rate_factor.md gives the error.
+// overlap, state). In all other laws, a/R or sigma_Y/E matters. For these, two more tables at
+// larger factors k_j are built before a run. The two tables whose k_j are next to k give responses
+// for k/k_j as above. The response is interpolated between them linearly in k^2, because the
+// leading term in a/R is quadratic. The factor of a contact is constant, so the weights (0 to 1)
+// are constant along its path. The force therefore remains the derivative of the energies, and
+// plastic work never decreases. docs/rate_factor.md gives the error.
 #pragma once
 
 #include <algorithm>

@@ -33,7 +33,7 @@ template <class Law>
 const char* refusal_of_adhesion() {
   if (adhesive<Law>) return "the law has its own adhesion";
   if (is_cylinder<Law>) return "the law is for cylinders, and adhesion is for spheres";
-  if (rate_dependent<Law>) return "the force of the law depends on the rate";
+  if (rate_dependent<Law>) return "the force of the law depends on the overlap rate";
   if (!elastic_first<Law>) return "the law is plastic from first touch";
   return "the law does not begin with Hertz' contact";
 }
@@ -115,7 +115,7 @@ class TypePairs {
   }
 
   int type_count() const { return type_count_; }
-  const std::vector<Body>& bodies() const { return materials_.bodies; }  // k: type k + 1
+  const std::vector<Body>& bodies() const { return materials_.bodies; }  // index k: type k + 1
 
  private:
   TypePair<Law>*& at(int type, int other_type) {
@@ -163,7 +163,7 @@ class TypePairs {
   int type_count_ = 0;
   Materials materials_;
   std::vector<std::unique_ptr<TypePair<Law>>> pairs_;
-  std::vector<TypePair<Law>*> of_types_;  // of (i, j) and (j, i)
+  std::vector<TypePair<Law>*> of_types_;  // the pair of types i, j at (i, j) and at (j, i)
 };
 
 }  // namespace plastigran

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The adhesive elastic contact of spheres by Johnson, Kendall & Roberts 1971 (Proc. R. Soc. Lond. A
-// 324:301), and functions that adhesive laws share. Gamma is the work of adhesion; with s = a^(1/2)
+// Adhesive elastic contact of spheres after Johnson, Kendall & Roberts 1971 (Proc. R. Soc. Lond. A
+// 324:301), and functions that adhesive laws share. With the work of adhesion Gamma, s = a^(1/2)
 // and c = (2 pi Gamma/E*)^(1/2):
 //
 //   overlap = s^4/R* - c s
@@ -9,9 +9,9 @@
 //   elastic energy = E* (8/15 s^10/R*^2 - 4/3 c s^7/R* + c^2 s^4)
 //   surface energy = -1/2 E* c^2 s^4
 //
-// The contact breaks under displacement control at s_0 = (c R*/4)^(1/3), where overlap is least,
-// -3/4 c s_0. In u = s/s_0 and x = overlap/(3/4 c s_0), u^4 - 4 u = 3 x. The resolvent of Ferrari's
-// solution is z^3 + 12 x z = 16.
+// Under displacement control, the contact breaks at the least overlap, -3/4 c s_0 at
+// s_0 = (c R*/4)^(1/3). With u = s/s_0 and x = overlap/(3/4 c s_0), the first equation is
+// u^4 - 4 u = 3 x. The resolvent of Ferrari's solution is z^3 + 12 x z = 16.
 #pragma once
 
 #include <cmath>
@@ -36,8 +36,8 @@ double pull_off_distance([[maybe_unused]] const Law& law, [[maybe_unused]] doubl
     return 0;
 }
 
-// The largest root of w^4 - b w = x, with b >= 0, by Ferrari's solution; (b/4)^(1/3), where x is
-// least, if there is none.
+// Returns the largest root of w^4 - b w = x, with b >= 0, by Ferrari's solution. If there is no
+// root, returns (b/4)^(1/3), where w^4 - b w is least.
 [[gnu::noinline, gnu::const]] PLASTIGRAN_DEVICE inline double near_pull_off(double x, double b) {
   const double least = std::cbrt(0.25 * b), square = least * least;
   const double depth = x / (3 * square * square);
@@ -48,8 +48,9 @@ double pull_off_distance([[maybe_unused]] const Law& law, [[maybe_unused]] doubl
   return 0.5 * least * (half + std::sqrt(rest > 0 ? rest : 0));
 }
 
-// The same root. For weak adhesion Newton's method is faster: with w = x^(1/4) u and
-// e = b/x^(3/4), u^4 - e u = 1 and u = 1 + e/4 - e^2/32 + 7/2048 e^4 - ...
+// Returns the same root as near_pull_off(). For weak adhesion, Newton's method is faster. With
+// w = x^(1/4) u and e = b/x^(3/4), it solves u^4 - e u = 1 from the start of the series
+// u = 1 + e/4 - e^2/32 + 7/2048 e^4 - ...
 PLASTIGRAN_DEVICE inline double adhesive_root(double x, double b) {
   const double scale = std::sqrt(std::sqrt(x > 0 ? x : 0)), cube_of_scale = scale * scale * scale;
   if (!(b <= cube_of_scale)) return near_pull_off(x, b);
@@ -63,8 +64,9 @@ PLASTIGRAN_DEVICE inline double adhesive_root(double x, double b) {
   return scale * u;
 }
 
-// The root q >= 1 of q^3 - q = b, with b >= 0: the root of the contact radius at yield over that
-// without adhesion, where b = c R*/(2 a^(3/2)) with the a without adhesion.
+// Returns the root q >= 1 of q^3 - q = b, with b >= 0. q is the square root of the contact radius
+// at yield, divided by the same root without adhesion. There b = c R*/(2 a^(3/2)), where a is the
+// contact radius at yield without adhesion.
 PLASTIGRAN_DEVICE inline double root_at_yield(double b) {
   if (b < 1) {  // Newton's method from the start of the series in b
     double q = 1 + b * (0.5 - 0.375 * b);
@@ -97,12 +99,13 @@ class JkrContact {
     return -0.75 * pull_ * root_at_pull_off(radius_eff);
   }
 
-  // Returns s at an overlap; below the least overlap, s at pull-off.
+  // Returns s at an overlap; below the overlap at pull-off, s at pull-off.
   PLASTIGRAN_DEVICE double root(double radius_eff, double overlap) const {
     return adhesive_root(overlap * radius_eff, pull_ * radius_eff);
   }
 
-  // Elastic and surface energy of a contact that has just formed, or is about to break [J].
+  // Returns the sum of elastic and surface energy of a contact that has just formed, or that is
+  // about to break [J].
   double energy_at_end(double radius_eff, bool forms) const {
     const Response end = at(radius_eff, root(radius_eff, forms ? 0 : pull_off_overlap(radius_eff)));
     return end.elastic_energy + end.surface_energy;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // Interface of contact laws: the constants of two bodies in contact, and the response of a law.
-// This header and all laws do not allocate, throw, read mutable globals or depend on a host
-// program.
+// This header and the laws neither allocate nor throw, do not read mutable globals, and do not
+// depend on a host program.
 //
 // A law is a class that is constructed from a MaterialPair. From the overlap and the history of a
 // contact it computes force and energies. It has these members:
@@ -22,21 +22,21 @@
 //   parameters   table of its constants: name, unit, allowed range
 //   options      table of the choices that its sources leave open
 //   shape = "cylinder"      the bodies are cylinders, not spheres
-//   rate_dependent = true   the force also depends on the overlap rate [m/s], positive while
-//   closing:
+//   rate_dependent = true   the force also depends on the overlap rate, positive while closing
+//   [m/s]:
 //                respond(radius_eff, overlap, state, overlap_rate = 0)
 //   yields = false          the law needs no yield strength
 //   hardens = true          the law uses the tangent modulus
 //   indentation = true      a hard sphere indents a flat; otherwise a sphere flattens
 //   self_similar = true     the curves in yield units do not depend on the yield strength
 //   respond_stronger(factor, radius_eff, overlap, state)    response with factor * yield strength
-//   overlap_range()         largest overlap over R* for which the law is valid
-//   overlap_breaks()        overlaps over R* at which the force of first loading may jump
+//   overlap_range()         largest overlap/R* for which the law is valid
+//   overlap_breaks()        values of overlap/R* at which the force of first loading may jump
 //   elastic_stiffness(contact_radius)      stiffness of the elastic contact
 //   elastic_first = false   the contact is plastic from first touch; otherwise elastic to yield
 //   adhesive = true         the force may be attractive; the law has pull_off_force()
-//   pull_off_distance(radius_eff)          largest separation of bodies in contact; the state then
-//                has the member in_contact, and the law energy_at_end() (adhesion.h)
+//   pull_off_distance(radius_eff)          largest separation of bodies in contact. Such a law also
+//                has the state member in_contact and the function energy_at_end() (adhesion.h)
 //   plastic_work_in(state)  plastic work, for a law whose state contains it
 //
 // SI units throughout.
@@ -58,8 +58,8 @@ namespace plastigran {
 
 constexpr double pi = 3.14159265358979323846;
 
-// Combined constants of two bodies in contact, independent of their order. The weaker body, with
-// the lower yield pressure, yields.
+// Combined constants of two bodies in contact, independent of their order. The weaker body is the
+// one with the lower yield pressure; only this body yields.
 struct MaterialPair {
   double youngs_modulus_eff = 0;  // E*: 1/E* = (1-nu1^2)/E1 + (1-nu2^2)/E2 [Pa]
   double shear_modulus_eff = 0;   // G*: 1/G* = (2-nu1)/G1 + (2-nu2)/G2 [Pa]
@@ -72,9 +72,9 @@ struct MaterialPair {
   double reference_rate = 1;      // reference rate of the weaker body [1/s]
 };
 
-// Response of a law. Energies are totals since first touch. While the contact lasts and the overlap
-// grows at `overlap_rate`, force * overlap_rate is the growth rate of elastic_energy,
-// surface_energy and plastic_work together, plus the loss viscous_force * overlap_rate >= 0.
+// Response of a law. Energies are totals since first touch. While the contact lasts,
+// force * overlap_rate = d(elastic_energy + surface_energy + plastic_work)/dt
+// + viscous_force * overlap_rate. The last term is dissipated and never negative.
 struct Response {
   double force = 0;           // normal force, negative where the bodies attract each other [N]
   double contact_radius = 0;  // contact radius; half-width of a line contact [m]
@@ -160,7 +160,7 @@ constexpr bool adhesive = false;
 template <class Law>
 constexpr bool adhesive<Law, std::void_t<decltype(Law::adhesive)>> = Law::adhesive;
 
-// The option of a line in a deck that makes this law of another, with a space before it.
+// Option in a line of a deck that changes another law to this one, with a space before it.
 template <class Law, class = void>
 constexpr const char* line_option = "";
 template <class Law>
@@ -186,8 +186,8 @@ PLASTIGRAN_DEVICE Response respond(const Law& law, double radius_eff, double ove
     return law.respond(radius_eff, overlap, state);
 }
 
-// Returns the plastic work of a contact with the history `state` [J]. A law whose state contains it
-// defines plastic_work_in().
+// Returns the plastic work of a contact with the history `state` [J]. A law whose state contains
+// the plastic work defines plastic_work_in().
 template <class Law, class = void>
 constexpr bool keeps_plastic_work = false;
 template <class Law>

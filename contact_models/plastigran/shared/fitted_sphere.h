@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Application of laws that were fitted to one yielding sphere on a rigid plane to two bodies that
-// both deform.
+// Extension of laws that were fitted to one yielding sphere on a rigid plane. With this extension,
+// the laws apply to two bodies that both deform.
 //
-// Such a fit depends on the plane strain modulus E' = E/(1-nu^2) and the radius R of the sphere, as
-// in sigma_Y/E' and a/R. For two bodies, option `reading yielding_body` (the default) uses a sphere
-// of the yielding body's material that has the Hertz force and contact radius of the pair:
+// Such a fit depends on the plane strain modulus E' = E/(1-nu^2) and the radius R of the sphere,
+// for example through sigma_Y/E' and a/R. For two bodies, the option `reading yielding_body` (the
+// default) uses a fitted sphere. It has the material of the yielding body, and the Hertz force and
+// contact radius of the pair:
 //
 //   E',   R = R* E'/E*,   overlap of this sphere: overlap E*/E'
 //
-// For two equal spheres, this is each sphere with half of the overlap. For a sphere on a rigid
-// plane, this is the sphere itself. A collision of two equal spheres and of one of them with a
-// rigid plane are thus equivalent. Option `reading pair` uses E* and R* instead.
+// For two equal spheres, the fitted sphere is one of them, with half of the overlap. For a sphere
+// on a rigid plane, it is the sphere itself. A collision of two equal spheres is thus equivalent to
+// a collision of one of them with a rigid plane. The option `reading pair` uses E* and R* instead.
 //
 // A curve in yield units, x = overlap/overlap_y and f = F/F_y, is the same for the pair and for the
 // fitted sphere. If the fitted sphere has a_y/R, the pair has a_y/R* = (a_y/R) radius_ratio.
@@ -52,7 +53,7 @@ constexpr Option<Parameters> reading_option(int Parameters::*value) {
       "which modulus and radius enter the fit to one sphere: of the yielding body or of the pair"};
 }
 
-// Base of laws whose only option is `reading`, without constants.
+// Base of laws that have no constants and only the option `reading`.
 struct ReadingAlone {
   struct Parameters {
     int reading = of_yielding_body;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// State of laws whose contact history consists of the largest overlap only.
+// State of laws whose contact history consists only of the largest overlap.
 #pragma once
 
 #include <array>

@@ -15,10 +15,10 @@
 //                p = min(1.5 + ln(s)/sqrt(3), 2.4)
 //   unloading    a^2 = 4 q R_e with the radius R_e of the unloaded surface, larger than R
 //
-// The overlap of a line contact depends on the reference point: the far side of the body, at the
-// distance D. This causes the logarithm. For large a, the logarithmic formula is invalid. From
-// ln(4 D^2/a^2) - k = 2 (a = 0.6 D for nu near 0.25, out of range), the load follows the tangent
-// of the curve instead.
+// The overlap of a line contact depends on its reference point: the far side of the body, at the
+// distance D. This causes the logarithm. For large a, the logarithmic formula is invalid. Beyond
+// ln(4 D^2/a^2) - k = 2 (a = 0.6 D for nu near 0.25), which is out of range, the load follows the
+// tangent of the curve.
 //
 // The laws differ in the unloading (tables/line_contact.h).
 #pragma once
@@ -48,8 +48,8 @@ PLASTIGRAN_DEVICE inline double load_share(double x) {
   return 1 / lambert_root(std::max(1.25, -std::log(x)));
 }
 
-// Contact beyond yield as functions of s and ln(s). Load and work are divided by their values at
-// yield.
+// Contact beyond yield, as functions of s and ln(s). Load and work are normalized by their values
+// at yield.
 struct LineYielding {
   static constexpr double hardening = 0.38490017945975051;  // pressure slope, (1/sqrt(3))/1.5
   static constexpr double pressure_cap = 1.6;  // largest mean pressure/pressure at yield, 2.4/1.5

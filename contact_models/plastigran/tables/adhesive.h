@@ -6,7 +6,7 @@
 // unloading and c = (2 pi Gamma/E*)^(1/2):
 //
 //   overlap = overlap_1 - D,   F = F_1 - S D,   D = c (R* overlap_1)^(1/4)        first loading
-//   D^2 over S constant                                                          unloading
+//   D^2/S constant                                                               unloading
 //   elastic + surface energy = U_1 - F_1 D + S D^2/4,   surface energy = -S D^2/4
 //
 // Up to yield this is JKR, and S D^2/4 = pi Gamma a^2. First loading has the relation of overlap
@@ -39,7 +39,7 @@
 
 namespace plastigran {
 
-// Whether a law can have adhesion.
+// Whether a law can have the option `adhesion jkr`.
 template <class Law, class = void>
 constexpr bool takes_adhesion = false;
 template <class Law>
@@ -100,7 +100,7 @@ class Adhesive {
   double pull_off_distance(double radius_eff) const {
     return -contact_.pull_off_overlap(radius_eff);
   }
-  // Overlaps over R* at which the force of first loading may jump.
+  // Returns the values of overlap/R* at which the force of first loading may jump.
   std::vector<double> overlap_breaks(double radius_eff) const {
     std::vector<double> all;
     const double k = strength_factor(1, radius_eff);
@@ -118,11 +118,12 @@ class Adhesive {
     return pull_off_force(peak_of(radius_eff, state));
   }
 
-  // Elastic and surface energy of a contact that has just formed, or is about to break [J].
+  // Returns the sum of elastic and surface energy of a contact that has just formed, or that is
+  // about to break [J].
   double energy_at_end(double radius_eff, const State& before, bool forms) const {
     if (before.overlap_max == 0) return contact_.energy_at_end(radius_eff, forms);
     const Peak peak = peak_of(radius_eff, before);
-    double broken = -2, joined = 0;  // overlap beyond the residual one, over the recovery
+    double broken = -2, joined = 0;  // (overlap - overlap_res)/(overlap_max - overlap_res)
     if (!forms) halve(broken, joined, [&](double beyond) { return root(peak, beyond) > 0; });
     const Response end = unloading(peak, root(peak, joined));
     return end.elastic_energy + end.surface_energy;
@@ -189,7 +190,8 @@ class Adhesive {
     return loaded(x);
   }
 
-  // k, by which a_y is larger than without adhesion, but at least that of the largest B.
+  // Returns k, the ratio of a_y to its value without adhesion. k is at least the value that belongs
+  // to the largest B.
   [[gnu::noinline, gnu::cold]] PLASTIGRAN_DEVICE double strength_factor(double factor,
                                                                         double radius_eff) const {
     const double b = onset_ / std::sqrt(radius_eff * factor * factor * factor);
@@ -201,7 +203,7 @@ class Adhesive {
   PLASTIGRAN_DEVICE double overlap_y(double radius_eff, const State& state) const {
     return state.strength_factor * state.strength_factor * elastic_range_ * radius_eff;
   }
-  // B of a contact.
+  // Returns the number B of a contact.
   PLASTIGRAN_DEVICE double number(double radius_eff, const State& state) const {
     const double k = state.strength_factor;
     return 2 * onset_ / std::sqrt(radius_eff * k * k * k);
@@ -231,7 +233,8 @@ class Adhesive {
             shape_at_x};
   }
 
-  // Of unloading like Hertz; otherwise at the w of such unloading, up to 8 % too small.
+  // Returns the pull-off force. It is exact if unloading is like Hertz. Otherwise it is computed at
+  // the w of such unloading, and is up to 8 % too small.
   PLASTIGRAN_DEVICE double pull_off_force(const Peak& peak) const {
     const double b = peak.pull * peak.inverse_recovery;
     if constexpr (Rebound::is_hertzian) return 0.375 * peak.slope * peak.pull * b;
@@ -239,9 +242,9 @@ class Adhesive {
     return peak.slope * peak.pull * at.slope * std::sqrt(at.slope) - peak.force * at.force;
   }
 
-  // w > 0 on unloading, with y = w^4 = (overlap_1 - overlap_res)/(overlap_max - overlap_res), and
-  // `beyond` the same for the overlap. It is the largest root of w^4 - b S^(1/2)/S_max^(1/2) =
-  // beyond; 0 if there is none, because the contact breaks.
+  // Returns w on unloading, where w^4 = (overlap_1 - overlap_res)/(overlap_max - overlap_res).
+  // `beyond` is the same ratio with the overlap instead of overlap_1. w is the largest root of
+  // w^4 - b S^(1/2)/S_max^(1/2) = beyond; 0 if there is none, because the contact breaks.
   PLASTIGRAN_DEVICE double root(const Peak& peak, double beyond) const {
     const double b = peak.pull * peak.inverse_recovery;
     if (b == 0) return beyond > 0 ? std::sqrt(std::sqrt(beyond)) : 0;
@@ -253,8 +256,9 @@ class Adhesive {
     // At the least w there is no root below the least value.
     return beyond > 0 || 4 * w * w * w > b * (1 + 1e-7) || w * (w * w * w - b) <= beyond ? w : 0;
   }
-  // Newton's method, for a function that is convex where it rises: all but the first steps go down.
-  // A step of 1e-7 leaves an error of about 1e-14, because the error is squared each time.
+  // Improves the root by Newton's method. The function is convex where it rises, so w decreases in
+  // all steps except the first ones. After a step of 1e-7 the error is about 1e-14, because each
+  // step squares the error.
   PLASTIGRAN_DEVICE double refined_root(double shape_at_x, double b, double beyond,
                                         double w) const {
     for (int k = 0; k < 100; ++k) {
@@ -283,7 +287,7 @@ class Adhesive {
     return response;
   }
 
-  // Adds the plastic work: the work of first loading less the energy at the largest overlap.
+  // Adds the plastic work: the work of first loading minus the energy at the largest overlap.
   PLASTIGRAN_DEVICE Response with_work(Response response, const Peak& peak, double radius_eff,
                                        const State& state) const {
     const double unit = overlap_y(radius_eff, state);

@@ -4,12 +4,13 @@
 // overlap_1/overlap_y, and the number B is the strength of adhesion.
 //
 // The work of first loading and the energy at the largest overlap are polynomials in B, whose
-// coefficients are tables of x. Plastic work is their difference.
+// coefficients are tables of x. Plastic work is the difference of the two.
 //
-// Plastic work would fall with x for a large B, as in Thornton & Ning's law. The constructor finds
-// the largest B up to 0.8 for which plastic work grows, and a contact has at least the strength
-// factor k of this B. A law whose own energy guard keeps the plastic work constant has no such B.
-// There the slope of unloading rises by the factor 1 + B eta(x).
+// For a large B, plastic work would decrease with x, as in the law of Thornton & Ning. The
+// constructor finds the largest B, up to 0.8, for which plastic work increases. A contact has at
+// most this B, because its strength factor k is at least the one that belongs to this B. If the
+// energy guard of a law keeps its plastic work constant in some interval of x, there is no such B.
+// In this interval, the slope of unloading is then larger by the factor 1 + B eta(x).
 #pragma once
 
 #include <algorithm>
@@ -87,7 +88,7 @@ class WorkOfLoading {
   }
 
  private:
-  typedef std::array<double, 4> Works;  // coefficients of 1, -B, B^2 and B^3 in the work
+  typedef std::array<double, 4> Works;  // w_0 to w_3 of the work w_0 - w_1 B + w_2 B^2 + w_3 B^3
 
   // Returns the derivatives of the coefficients by x.
   PLASTIGRAN_DEVICE Works powers(const Law& law, double x) const {
@@ -130,7 +131,7 @@ class WorkOfLoading {
   bool falls(const Law& law, double from, double to, double B) const {
     return plastic_work(law, to, B) < plastic_work(law, from, B) - 1e-13 * (*this)(law, to, 0);
   }
-  // Returns whether plastic work grows with x for all numbers up to B.
+  // Returns whether plastic work increases with x for four values up to B.
   bool grows(const Law& law, double B) const {
     const std::vector<double> all = points(law);
     for (const double part : {0.1, 0.4, 0.7, 1.0})
@@ -138,7 +139,8 @@ class WorkOfLoading {
         if (falls(law, all[k - 1], all[k], part * B)) return false;
     return true;
   }
-  // Returns the x at which plastic work is compared: close to both sides of each kink.
+  // Returns the values of x at which plastic work is compared. They are dense on both sides of each
+  // kink.
   static std::vector<double> points(const Law& law) {
     std::vector<double> all;
     const auto kinks = kinks_of(law);
@@ -156,7 +158,8 @@ class WorkOfLoading {
     return all;
   }
 
-  // Finds the largest number, and for laws with an energy guard the least loss for which it is 0.4.
+  // Finds the largest B. If it would be below 0.4 for a law with an energy guard, finds the least
+  // additional loss with which B = 0.4 is possible.
   void guard(const Law& law) {
     const auto lower_to = [&](double least) {
       for (largest_number_ = 0.8; largest_number_ > least; largest_number_ *= 0.95)
@@ -179,7 +182,7 @@ class WorkOfLoading {
     tabulate(law);
     lower_to(0.01);
   }
-  // Finds the intervals of x on which plastic work falls, and extends them by 2 % on each side.
+  // Finds the intervals of x in which plastic work decreases, and extends them by 2 % on each side.
   void find_intervals(const Law& law) {
     const std::vector<double> all = points(law);
     std::size_t count = 0;
@@ -194,8 +197,8 @@ class WorkOfLoading {
     }
   }
 
-  // On these intervals of x the contact loses `lost` times B of the work of loading. eta times the
-  // elastic energy is this loss.
+  // An interval of x in which the contact loses the fraction lost_ B of the work of loading. eta is
+  // the loss per B, divided by the elastic energy.
   struct Interval {
     double begin = 0, end = 0;
   };

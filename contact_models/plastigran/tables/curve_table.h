@@ -81,8 +81,8 @@ class CurveTable : public Curve, public LargestOverlap {
     return unloading_.at(reached, y);
   }
 
-  // For adhesive.h: the overlap at which the formula of the elastic contact ends, over R*, and the
-  // contact after loading to x > 1 times this overlap.
+  // Interface for adhesive.h: the value of overlap/R* at which the formula of the elastic contact
+  // ends, and the contact after loading to x > 1 times this overlap.
   double elastic_range() const { return Curve::breaks[0] * overlap_ratio_; }
   PLASTIGRAN_DEVICE Peak after_loading(double x) const {
     const double unit = Curve::breaks[0], root = std::sqrt(unit);
@@ -181,8 +181,8 @@ class CurveTable : public Curve, public LargestOverlap {
 };
 
 // Table of a law whose published curves release more energy than loading took, near yield or where
-// the force jumps up. The option energy_guard (energy_guard.h, on by default) reduces the recovered
-// overlap.
+// the force jumps up. The option energy_guard (energy_guard.h), on by default, then reduces the
+// recovered overlap.
 template <class Curve, class Unloading>
 class GuardedTable : public CurveTable<Curve, Unloading> {
  public:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Energy guard: some published curves release more energy than loading took. There the guard
-// reduces the recovery, so that plastic work never decreases during loading.
+// Energy guard. Some published curves release more energy than loading took. In that case, the
+// guard reduces the recovered overlap, so that plastic work never decreases during loading.
 //
 // The search evaluates the published plastic work at increasing overlaps from yield. An interval
 // begins where the plastic work starts to decrease and ends where it reaches the earlier value

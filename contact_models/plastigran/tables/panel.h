@@ -112,7 +112,7 @@ struct Panel {
 
   static constexpr double infinite = std::numeric_limits<double>::infinity();
   static constexpr double tolerance = 3e-14;
-  static constexpr double ulp = 4e-16;  // relative change by one or two units in the last place
+  static constexpr double ulp = 4e-16;  // relative size of one or two units in the last place
 
  private:
   static constexpr std::size_t levels = 4;

@@ -24,8 +24,8 @@
 
 namespace plastigran {
 
-// Unloading as adhesive.h needs it: Hertz's, but the plastic part of the contact radius stays. The
-// shape is the elastic part of the largest contact radius.
+// Unloading for adhesive.h: as in the law of Hertz, but the plastic part of the contact radius is
+// constant. `shape` is the elastic part of the largest contact radius.
 struct PlasticRadiusStays : PowerOfOverlap<void> {
   static constexpr bool has_shape = true;
 
@@ -121,7 +121,7 @@ class ParametricTable : public Curve {
     return s;
   }
 
-  // For adhesive.h, in yield units.
+  // Interface for adhesive.h, in yield units.
   typedef PlasticRadiusStays Rebound;
   double elastic_range() const { return Curve::yield_radius_ratio * Curve::yield_radius_ratio; }
   PLASTIGRAN_DEVICE Peak after_loading(double x) const {

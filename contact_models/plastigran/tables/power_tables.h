@@ -40,7 +40,7 @@ class PowerTables {
     const double near = way + round;
     std::int64_t steps;
     std::memcpy(&steps, &near, sizeof steps);
-    // Series of e^s for |s| < 0.0028.
+    // Evaluate the series of e^s for |s| < 0.0028.
     const double s = (way - (near - round)) * ln_2, s_2 = s * s;
     const double rest = (1 + s) + s_2 * ((0.5 + 1.0 / 6 * s) + s_2 * (1.0 / 24));
     // The low bits of `near` contain the exponent as a multiple of 1/128.
@@ -66,7 +66,7 @@ class PowerTables {
     bits = (bits & ((std::uint64_t{1} << 52) - 1)) | std::uint64_t{1023} << 52;
     double mantissa;
     std::memcpy(&mantissa, &bits, sizeof mantissa);
-    // Series of log2(1 + r) for |r| < 1/512.
+    // Evaluate the series of log2(1 + r) for |r| < 1/512.
     const double r = mantissa * stretch.inverse - 1, r_2 = r * r;
     const double series = (1 - 0.5 * r) + r_2 * ((1.0 / 3 - 0.25 * r) + r_2 * 0.2);
     return whole + (stretch.log2 + r * (1 / ln_2) * series);

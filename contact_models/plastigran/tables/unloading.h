@@ -102,7 +102,7 @@ class PowerOfOverlap : public HertzBelowYield {
   }
   PLASTIGRAN_DEVICE Response at_largest(const Peak& peak) const { return at(peak, 1); }
 
-  // Slope at the largest overlap, over F_max/(overlap_max - overlap_res).
+  // Returns the slope at the largest overlap divided by F_max/(overlap_max - overlap_res).
   PLASTIGRAN_DEVICE static double largest_slope(double exponent) { return exponent; }
   PLASTIGRAN_DEVICE ShapeOfUnloading shape_at(double w, double exponent) const {
     const double root = w * w, y = root * root;
