@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 #
-# Installs the headers of the laws for other projects: find_package(plastigran), target
-# plastigran::laws.
+# Installs the headers of the laws for other projects, which use find_package(plastigran) and the
+# target plastigran::laws.
 include(CMakePackageConfigHelpers)
 
 set_target_properties(plastigran_laws PROPERTIES EXPORT_NAME laws)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Restitution of a steel ball of 5 mm on a rigid plane, over the impact speed.
+// Prints the restitution of a steel ball of 5 mm radius on a rigid plane for three impact speeds.
 #include <cstdio>
 
 #include "plastigran/impact/central_impact.h"

@@ -1,10 +1,11 @@
 #!/bin/bash
-# A deck of one's own on many nodes with Slurm, in parts: each job goes on from a whole checkpoint.
+# Runs your own deck on many nodes with Slurm, in several jobs. Each job continues from a complete
+# checkpoint.
 #
 #   sbatch examples/slurm/large_bed.sh bed.in
-#   sbatch --dependency=afterany:JOBID examples/slurm/large_bed.sh bed.in     # and once more
+#   sbatch --dependency=afterany:JOBID examples/slurm/large_bed.sh bed.in     # next job
 #
-# The deck takes its start from the variable `checkpoint` and writes two files in turn:
+# The deck reads the restart file in the variable `checkpoint`, and writes two restart files in turn:
 #
 #   variable checkpoint index none
 #   if "${checkpoint} == none" then "read_data bed.data" else "read_restart ${checkpoint}"
@@ -24,12 +25,12 @@ deck=${1:?"usage: sbatch large_bed.sh DECK"}
 engine=${PLASTIGRAN_ENGINE:-liggghts-plastigran}
 export OMP_NUM_THREADS=1
 
-# The older of the two: the end of a job may have cut the newer one short, which the engine would not
-# notice. One alone is not trusted.
+# Use the older of the two files, because the end of a job may have truncated the newer one, which
+# LIGGGHTS would not notice. If there is only one file, start again.
 checkpoint=$(ls -t bed.0.restart bed.1.restart 2>/dev/null | sed -n 2p || true)
 checkpoint=${checkpoint:-none}
-echo "from $checkpoint on $SLURM_NNODES nodes, $SLURM_NTASKS ranks"
+echo "starting from checkpoint $checkpoint on $SLURM_NNODES nodes, $SLURM_NTASKS ranks"
 
-# One rank a core, neighbours in space on the same node.
+# Use one rank per core. Ranks that are neighbors in space are on the same node.
 srun --mpi=pmix --cpu-bind=cores --distribution=block:block \
   "$engine" -in "$deck" -log "bed_$SLURM_JOB_ID.liggghts" -var checkpoint "$checkpoint"

@@ -12,10 +12,10 @@ from pathlib import Path
 import numpy as np
 from stl import write
 
-#: Number of facets, small to conserve energy. LIGGGHTS transfers a grain from a facet to the next
-#: when its center crosses the normal of their edge. There, the force jumps if the overlap exceeds
-#: (1 - cos(2 pi / FACETS)) of the grain radius. The shell deviates from a circle by 1 % of its
-#: radius.
+#: Number of facets. It is small so that the energy error is small. LIGGGHTS transfers a grain to
+#: the next facet when its center crosses the plane that is normal to the facet at the edge. There,
+#: the force jumps if the overlap exceeds (1 - cos(2 pi / FACETS)) of the grain radius. The shell
+#: deviates from a circle by 1 % of its radius.
 FACETS = 24
 
 

@@ -4,8 +4,8 @@
     python inputs/meshes/make_hopper.py            # the meshes of the repository
     python inputs/meshes/make_hopper.py 5.5 6.5    # other orifices
 
-A barrel on a cone that ends in a round orifice at z = 0, along z, open at both ends. Lengths are in
-grain diameters; the deck scales them.
+The hopper is a barrel on a cone along z, which ends in a round orifice at z = 0. It is open at both
+ends. Lengths are in grain diameters; the deck scales them.
 """
 
 from __future__ import annotations
@@ -30,9 +30,9 @@ SEGMENTS = 36
 def rings(orifice: float) -> np.ndarray:
     """Return diameter and height of the circles between which the surface is spanned (n, 2).
 
-    LIGGGHTS joins neighboring triangles to one smooth surface below an angle that must be smaller
-    than all corner angles. Slender triangles are therefore avoided: the ring height grows with the
-    radius of the cone.
+    LIGGGHTS joins neighboring triangles to one smooth surface if their angle is below a limit. This
+    limit must be smaller than all corner angles of the triangles. To avoid slender triangles, the
+    height of the rings grows with the radius of the cone.
     """
     top = (BARREL - orifice) / 2 * np.tan(SLOPE)
     cone = np.geomspace(orifice, BARREL, 1 + int(np.ceil(np.log(BARREL / orifice) / np.log(1.6))))
@@ -42,7 +42,7 @@ def rings(orifice: float) -> np.ndarray:
 
 
 def triangles(orifice: float) -> np.ndarray:
-    """Return the triangles of the surface (n, 3 corners, 3); areas are those of circles."""
+    """Return the triangles of the surface (n, 3, 3). Its sections have the areas of circles."""
     angle = 2 * np.pi / SEGMENTS * np.arange(SEGMENTS + 1)
     radius = np.sqrt(2 * np.pi / SEGMENTS / np.sin(2 * np.pi / SEGMENTS)) / 2
     circle = radius * np.column_stack([np.cos(angle), np.sin(angle)])
@@ -63,7 +63,9 @@ def check(orifice: str) -> float:
     except ValueError:
         size = np.nan
     if not 1.4 < size <= widest:
-        raise SystemExit(f"orifice is {orifice}; it must be a number above 1.4, at most {widest:g}")
+        raise SystemExit(
+            f"orifice is {orifice}; it must be a number above 1.4 and at most {widest:g}"
+        )
     return size
 
 

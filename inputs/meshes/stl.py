@@ -26,5 +26,5 @@ def write(path: Path, triangles: np.ndarray, digits: int = 9) -> None:
 
 
 def _numbers(vector: np.ndarray, digits: int = 9) -> str:
-    # + 0.0 turns -0 into 0.
+    # Add 0.0, which changes -0 to 0.
     return " ".join(f"{value:.7g}" for value in np.round(vector, digits) + 0.0)
