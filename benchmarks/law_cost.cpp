@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // Measure the cost of a law alone, without a host. Every law computes the same contacts, and the
-// program prints the time of each phase as CSV. Under callgrind, the counts of each phase go to a
-// separate dump, named law/phase/answer. law_cost.py joins both.
+// program prints the time of each phase as CSV. Under callgrind, each phase writes its counts to a
+// separate dump, named law/phase/answer. law_cost.py combines times and counts.
 //
 //   law_cost [--repeats N] [LAW ...]
 //
@@ -13,7 +13,8 @@
 //   unloading  from the largest overlap down to nine tenths of it
 //   mixed      random steps below and above the largest overlap; two thirds of them load
 //
-// and the answer is force and contact radius (`force`), or also the energies (`energies`).
+// The answer is force and contact radius (`force`), or force, contact radius and energies
+// (`energies`).
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -37,10 +38,10 @@ namespace plastigran {
 namespace {
 
 constexpr std::size_t contact_count = 4096;
-constexpr std::size_t path_length = 8;  // steps of a path, which is walked again and again
-constexpr double radius_eff = 1.25e-3;  // [m], mean
+constexpr std::size_t path_length = 8;  // number of steps of a path, which is repeated
+constexpr double radius_eff = 1.25e-3;  // mean R* of the contacts [m]
 
-// Path of all contacts: largest overlaps reached before, and overlaps at each step.
+// Path of all contacts: their largest overlaps before the path, and their overlaps at each step.
 struct Path {
   std::string name;
   std::vector<double> reached;
@@ -103,7 +104,7 @@ double seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-// Prints the shortest time of several walks along a path [ns per contact and step].
+// Prints the shortest time of several repetitions of a path [ns per contact and step].
 template <class Law, bool energies>
 void walk(const Law& law, const Bed& bed, const Path& path, int repeats) {
   std::vector<double> begin(contact_count * Law::state_names.size() + 1), history;

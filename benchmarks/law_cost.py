@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Measure the cost of every law alone per contact and step: time, instructions, cache misses.
 
-law_cost.cpp describes the measurement. callgrind (Debian's valgrind) counts instructions and
-misses, which are the same at every run of one binary. Times are the shortest of many walks; they
-depend on the machine and its load.
+law_cost.cpp describes the measurement. callgrind (Debian's package valgrind) counts instructions
+and cache misses, which are the same in every run of one binary. Times are the shortest of many
+repetitions; they depend on the machine and its load.
 
     .venv/bin/python benchmarks/law_cost.py --law stronge universal
 """
@@ -25,7 +25,7 @@ from plastigran.engine.process import PROJECT
 
 PROGRAM = PROJECT / "build" / "benchmarks" / "law_cost"
 RESULTS = PROJECT / "results" / "bench" / "law_cost.csv"
-CONTACT_STEPS = 4096 * 8  # contacts times steps of a walk, as in law_cost.cpp
+CONTACT_STEPS = 4096 * 8  # number of contacts times steps of a path, as in law_cost.cpp
 KEYS = ["law", "phase", "answer"]
 
 
@@ -37,7 +37,8 @@ def build() -> None:
 def times(laws: list[str], repeats: int) -> pd.DataFrame:
     """Return the time of each law, phase and response, column `ns`.
 
-    The row of phase `setup` has the time to construct the law and, as `sum`, its size in bytes.
+    The row of the phase `setup` contains the time to construct the law, and its size in bytes in
+    the column `sum`.
     """
     line = [str(PROGRAM), "--repeats", str(repeats), *laws]
     done = subprocess.run(line, check=True, capture_output=True, text=True)
@@ -69,15 +70,17 @@ def counts(laws: list[str]) -> pd.DataFrame:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
-    parser.add_argument("--law", nargs="*", default=[], help="default: all")
-    parser.add_argument("--repeats", type=int, default=100, help="walks (default: %(default)s)")
+    parser.add_argument("--law", nargs="*", default=[], help="names of laws; default: all")
+    parser.add_argument(
+        "--repeats", type=int, default=100, help="repetitions of a path (default: %(default)s)"
+    )
     options = parser.parse_args()
     build()
     table = times(options.law, options.repeats)
     if shutil.which("valgrind"):
         table = table.merge(counts(options.law), on=KEYS, how="left")
     else:
-        print("instructions are not counted: there is no valgrind")
+        print("instructions are not counted, because valgrind is missing")
     RESULTS.parent.mkdir(parents=True, exist_ok=True)
     table.drop(columns="sum").to_csv(RESULTS, index=False, float_format="%.4g")
     print(table.drop(columns="sum").to_string(index=False, float_format="%.1f"))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Write rows of measured values into a table of a page."""
+"""Write measured values as rows of a table in a page of the docs."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ class Row:
 
 
 def write_rows(page: Path, part: str, rows: list[Row]) -> None:
-    """Replace the rows of a part in a page, between the comments with its name."""
+    """Replace the table of a part in a page, which follows the comment with the part's name."""
     text = page.read_text()
     table = "".join(f"| {row.cells()} |\n" for row in rows)
     head = "| | measured | at most |\n|---|---|---|\n"

@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Count the instructions of the pair forces per contact and step in LIGGGHTS.
 
-A small bed follows the paths of pair_time.in under callgrind (Debian's valgrind). It counts the
-pair forces with all that they call and, with energy balance, its work over particles. Counts are
-the same at every run of one binary, also on a busy machine. They do not contain the costs of memory
-and of mispredicted branches.
+A small bed follows the paths of pair_time.in under callgrind (Debian's package valgrind). The count
+includes all functions that the pair forces call and, with energy balance, the ledger's loops over
+particles. Counts are the same in every run of one binary, also on a busy machine. They do not
+contain the costs of memory access and of mispredicted branches.
 
     .venv/bin/python benchmarks/pair_count.py --law thornton universal
 """
@@ -48,10 +48,10 @@ COUNTED = (
 
 
 def contact_steps(bed: Path, shape: str) -> int:
-    """Return the number of contacts with force, summed over the steps; all laws have the same."""
+    """Return the number of contacts with force, summed over the steps. All laws have the same."""
     run_bed(REFERENCE, "plastic", bed, STEPS, count_every=1, shape=shape)
     contacts = read_contacts(WORK / "run" / "contacts.dump")
-    # The dump has the contacts of the setup as well, because every run computes them.
+    # Count the contacts of the first step of the second run twice, because its setup computes them.
     return len(contacts) + len(contacts.query("step == @STEPS"))
 
 
@@ -83,7 +83,7 @@ def instructions(contender: str, bed: Path, shape: str) -> int:
 
 
 def count(names: list[str], shape: str) -> pd.DataFrame:
-    """Return instructions per contact and step, and ratios, for each law of one shape."""
+    """Return instructions per contact and step, and their ratios, for each law of one shape."""
     bed = BEDS[shape].make(GRAINS)
     steps = contact_steps(bed, shape)
     reference = instructions(REFERENCE, bed, shape) / steps
@@ -99,7 +99,9 @@ def count(names: list[str], shape: str) -> pd.DataFrame:
 def main() -> None:
     parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
     names = known_laws()
-    parser.add_argument("--law", nargs="+", choices=names, default=names, help="default: all")
+    parser.add_argument(
+        "--law", nargs="+", choices=names, default=names, help="names of laws; default: all"
+    )
     options = parser.parse_args()
     engine_path()  # raises EngineError if LIGGGHTS is missing
     if not shutil.which("valgrind"):

@@ -3,10 +3,11 @@
 """Measure the cost of a law: time of its pair forces / time of stock `hertz`.
 
 A bed of spheres (bed.in, kept in build/bench) is compressed and half released along given paths
-(pair_time.in), so that every law has the same contacts at every step. One yield strength makes
-nearly all contacts plastic, another keeps all elastic. All laws run once per round, and every round
-begins with another law. Ratios are taken within a round, so that slow changes of the machine's
-speed cancel. `hertz` runs twice per round, and the ratio of the two is the noise.
+(pair_time.in), so that every law has the same contacts at every step. In one bed, a low yield
+strength makes nearly all contacts plastic; in the other, a high one keeps all contacts elastic. All
+laws run once per round, and every round begins with another law. Ratios are taken within a round,
+so that slow changes of the machine's speed cancel. `hertz` runs twice per round, and the ratio of
+these two times shows the noise.
 
 The reference is stock `hertz` with restitution 0.6. It computes viscous damping, which the laws do
 not have. All runs have `tangential history`.
@@ -18,8 +19,9 @@ not have. All runs have `tangential history`.
 With `--ledger`, every law also runs with energy balance. With `--copies 3`, the bed consists of
 3 by 3 by 3 copies, 540 000 spheres.
 
-Cylinders have a bed of discs in two dimensions (bed_of_discs.in). Its reference is also `hertz`,
-although that is for spheres. Only ratios are reported, because times depend on the machine.
+Laws for cylinders run on a bed of discs in two dimensions (bed_of_discs.in). The reference is
+`hertz` there too, although it is a law for spheres. Only ratios are reported, because times depend
+on the machine.
 """
 
 from __future__ import annotations
@@ -47,7 +49,7 @@ RESULTS = PROJECT / "results" / "bench" / "pair_time.csv"
 REFERENCE, CONTROL = "hertz", "hertz again"
 WITH_LEDGER = ", ledger"  # suffix of the name of a law with energy balance
 WITH_ADHESION = " adhesion jkr"  # suffix of the name of a law with adhesion
-SURFACE_ENERGY = 0.1  # J/m2, of laws with adhesion
+SURFACE_ENERGY = 0.1  # work of adhesion of laws with adhesion [J/m2]
 FITTED = ("walton_braun", "luding_2008", "edinburgh_2014")  # laws with fitted stiffnesses
 YIELD_STRENGTH = {"plastic": 3.0e8, "elastic": 1.0e13}  # Pa
 PHASES = ("compression", "release")
@@ -143,7 +145,7 @@ def run_bed(
 ) -> str:
     """Run a law, or a law with energy balance, along the path of the bed; return the log.
 
-    The contacts of every `count_every` steps go to contacts.dump.
+    If `count_every` is given, the run writes the contacts to contacts.dump every so many steps.
     """
     variables = bed_variables(contender, state, bed, steps, shape)
     if count_every:
@@ -198,7 +200,7 @@ def measure(
 
 
 def compare(named: list[str], shape: str, bed: Path, options: argparse.Namespace) -> pd.DataFrame:
-    """Return pair times of laws / that of the reference for one shape, with counts of contacts."""
+    """Return pair times of laws / pair time of the reference for one shape, and contact counts."""
     names = named + [law + WITH_LEDGER for law in named if options.ledger]
     counts = pd.DataFrame(
         count_contacts(law, state, bed, options.steps, shape)
@@ -245,7 +247,7 @@ def main() -> None:
     names = known_laws()
     parser.add_argument("--law", nargs="+", choices=names, default=names, help="default: all")
     parser.add_argument(
-        "--ledger", action="store_true", help="also run every law with energy balance"
+        "--ledger", action="store_true", help="run every law also with energy balance"
     )
     parser.add_argument("--grains", type=int, default=20_000, help="default: %(default)s")
     parser.add_argument(

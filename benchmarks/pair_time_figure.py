@@ -8,12 +8,12 @@ from matplotlib.figure import Figure
 
 from plastigran.plot.style import COLOURS, MARKERS, styled, subplots, title
 
-#: Phase of pair_time.py's table that is drawn.
+#: The phase of pair_time.py's table that the figure shows.
 BOTH = "both"
 
 
 def cost_figure(table: pd.DataFrame, control: str) -> Figure:
-    """Draw medians and quartiles by law in the plastic and the elastic bed, the cheapest first.
+    """Draw medians and quartiles by law in the plastic and the elastic bed, cheapest law first.
 
     Args:
         table: Table of pair_time.py: state, law, phase, ratio, ratio_q25, ratio_q75 and shape.

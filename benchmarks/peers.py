@@ -5,14 +5,14 @@
     ./run bench peers
     ./run bench peers --part restitution     # their accuracy: peers_restitution.py
 
-Bed and paths are those of pair_time.py. Its deck has a twin for LAMMPS, in which the same grains
-take the same paths in the same steps. A first check compares the forces of every grain at full
-compression in both hosts, `hertz` with `hertz/material`, elastic and without damping.
+Bed and paths are those of pair_time.py. LAMMPS has a deck with the same grains, paths and steps. A
+first check compares the forces of every grain at full compression in both hosts, with elastic
+contacts without damping: `hertz` in LIGGGHTS, `hertz/material` in LAMMPS.
 
 All contenders run once per round, stock `hertz` twice, and every round begins with another one.
-Ratios are taken within a round. The time of a loop is the processor time of its process with the
-setup of the run, because a busy machine lengthens it far less than elapsed time. The time of the
-pair forces is their share in the host's own table.
+Ratios are taken within a round. The time of a loop is the processor time of its process, including
+the setup of the run, because a busy machine lengthens it far less than the elapsed time. The time
+of the pair forces is the processor time of the loop times their share in the host's own table.
 """
 
 from __future__ import annotations
@@ -104,7 +104,8 @@ CONTENDERS = {
 def same_physics(bed: Path, steps: int) -> float:
     """Return the largest force difference between `hertz` and LAMMPS' `hertz/material`.
 
-    At full compression, elastic and undamped, divided by the root mean square of all forces.
+    The contacts are elastic and undamped, at full compression. The difference is divided by the
+    root mean square of all forces.
     """
     forces = []
     for contender in (
@@ -122,9 +123,10 @@ def same_physics(bed: Path, steps: int) -> float:
 
 
 def times(log: str, folder: Path) -> list[float]:
-    """Return the times of both phases together.
+    """Return three times, each the sum over both phases [s].
 
-    They are the loop and the pair forces in processor time, and the loop in clock time [s].
+    These are the processor times of the loop and of the pair forces, and the elapsed time of the
+    loop.
     """
     stamps = [int(line.split()[0]) for line in (folder / "processor").read_text().splitlines()]
     loop = np.diff(stamps) / 1e9
@@ -144,7 +146,7 @@ def measure(bed: Path, names: list[str], steps: int, repeats: int) -> pd.DataFra
 
 
 def ratios(table: pd.DataFrame, to: str = REFERENCE) -> pd.DataFrame:
-    """Return median and quartiles of times / time of one law in the same round, by law."""
+    """Return median and quartiles, by law, of times / time of the law `to` in the same round."""
     wide = table.set_index(["round", "law"]).unstack("law")
     columns = []
     for quantity in ("loop", "pair", "clock"):
@@ -156,7 +158,7 @@ def ratios(table: pd.DataFrame, to: str = REFERENCE) -> pd.DataFrame:
 
 
 def markdown(table: pd.DataFrame) -> str:
-    """Return the table of the page."""
+    """Return the table of the page in the docs."""
     lines = ["| law | loop | pair forces | loop by the clock |", "|---|---|---|---|"]
     for name in CONTENDERS:
         if name in table.index:

@@ -2,9 +2,9 @@
 """Compare the restitution of other codes' plastic laws with finite elements.
 
 Pairs of equal spheres of one metal collide head-on in each host, one pair per speed. By symmetry,
-they behave like the spheres on a rigid plane of plastigran.validation.spheres. `hooke/hysteresis`
-has no material parameters. Its plastic unloading is fitted to the restitution of the finite
-elements at v/v_Y = 100.
+each sphere behaves as on the rigid plane of plastigran.validation.spheres. `hooke/hysteresis` has
+no material parameters. Its plastic unloading is fitted to the restitution of the finite elements at
+v/v_Y = 100.
 """
 
 from __future__ import annotations
@@ -28,9 +28,9 @@ DECKS = Path(__file__).resolve().parent / "peers"
 FIGURE = PROJECT / "docs" / "figures" / "peers.svg"
 METAL = METALS["s0.0012-nu0.3-perfect"]
 SPEED_RATIOS = np.geomspace(1.2, 500, 24)  # impact speeds / yield speed
-#: Time steps of the shortest impact, if it were elastic.
+#: Number of time steps in the duration of the shortest impact, if it were elastic.
 IMPACT_STEPS = 4000
-#: v/v_Y to which hooke/hysteresis is fitted, and its largest unloading / loading stiffness.
+#: v/v_Y at which hooke/hysteresis is fitted, and its largest unloading / loading stiffness.
 AGREES, STIFFEST = 100.0, 5.0
 MATERIALS = {"LAMMPS mdr": "mdr {modulus} {nu} {strength} 0 0.5 0 tangential mindlin NULL 1 0.3 "
              "damping mdr 1"}  # fmt: skip
@@ -39,7 +39,7 @@ OURS = ("thornton", "vu_quoc_zhang", "kogut_etsion", "universal")
 
 
 class Spheres:
-    """Pairs of spheres: radius [m], mass [kg] and speed of each sphere at yield [m/s]."""
+    """Pairs of spheres. The yield speed is the speed of each sphere at first yield [m/s]."""
 
     def __init__(self) -> None:
         material = METAL.material
@@ -55,7 +55,7 @@ class Spheres:
         self.speeds = self.speed_y * SPEED_RATIOS
 
     def elastic_time(self, speed: float) -> float:
-        """Return Hertz' duration of an impact at a speed of each sphere [s].
+        """Return the duration of an elastic impact at a given speed of each sphere [s].
 
         It is 2.94 times the largest overlap divided by the closing speed.
         """
@@ -64,7 +64,7 @@ class Spheres:
         return 2.94 * overlap / (2 * speed)
 
     def write(self, file: Path) -> None:
-        """Write a data file for both hosts: spheres in touch, pairs side by side along x."""
+        """Write a data file for both hosts: pairs of touching spheres, side by side along x."""
         count, apart = len(self.speeds), 4 * self.radius
         lines = ["pairs of spheres\n", f"{2 * count} atoms", "2 atom types\n"]
         lines += [f"{-apart:.9g} {apart * count:.9g} xlo xhi"]
@@ -169,7 +169,7 @@ def restitution(folder: Path, names: Iterable[str] = (*OTHERS, *OURS)) -> pd.Dat
 
 @styled()
 def draw(restitutions: pd.DataFrame, target: Path = FIGURE) -> None:
-    """Draw restitution over speed of all laws and the finite elements."""
+    """Draw restitution versus speed of all laws and of the finite elements."""
     figure, axes = subplots(figsize=(7, 4.5))
     for law, rows in restitutions.groupby("law", sort=False):
         if law == "finite elements":

@@ -24,9 +24,9 @@ from tqdm import tqdm
 from plastigran import laws
 from plastigran.usable_laws import laws_for
 
-# Number of contacts, and of steps of each, for one random pair of bodies.
+# Numbers of contacts, and of steps of a contact, for one random pair of bodies.
 CONTACTS, STEPS = 200, 100
-#: Round-off of differences of energies, relative to the energies of a contact.
+#: Round-off of energy differences, relative to the energies of a contact.
 ROUND_OFF = 1e-11
 
 
@@ -54,7 +54,7 @@ def random_body(random: np.random.Generator) -> laws.Body:
 
 
 def random_paths(random: np.random.Generator, radius: np.ndarray) -> np.ndarray:
-    """Return overlaps (CONTACTS, STEPS) [m]: steps of all sizes about a depth of each contact."""
+    """Return overlaps (CONTACTS, STEPS) [m]: for each contact, steps of all sizes about a depth."""
     depth = 10 ** random.uniform(-14, 0.5, (CONTACTS, 1))
     walk = np.cumsum(random.standard_normal((CONTACTS, STEPS)), axis=1) / 5
     jumps = random.choice([-1.0, 0.0, 1e-300, 1e-8, 1.0], (CONTACTS, STEPS))
@@ -83,7 +83,7 @@ def violations(
     if guarded and (response["plastic_work"] < -ROUND_OFF * scale).any():
         yield "plastic work is negative"
     if (response["force"][paths <= 0] > 0).any():
-        yield "there is a force without overlap"
+        yield "a contact without overlap has a force"
     deepest = np.maximum.accumulate(paths, axis=1)
     inside = paths < deepest
     largest = np.maximum.accumulate(response["force"] - response["viscous_force"], axis=1)

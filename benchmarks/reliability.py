@@ -3,7 +3,7 @@
 """Test bulk runs: killed runs, restarts, numbers of ranks, energy balance, and large systems.
 
     ./run reliability                    # all parts; about half an hour on two cores
-    ./run reliability kills restarts     # these parts
+    ./run reliability kills restarts     # only the parts on killed runs and on restarts
 
 The script writes the rows of these parts into docs/reliability.md, and results into
 results/reliability. It ends with an error if a value exceeds its limit.
@@ -40,13 +40,15 @@ PAGE = PROJECT / "docs" / "reliability.md"
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("parts", nargs="*", metavar="PART", help=", ".join(PARTS))
-    parser.add_argument("--count", type=int, default=100, help="kills, and restarts; default 100")
+    parser.add_argument(
+        "--count", type=int, default=100, help="number of killed runs and of restarts; default 100"
+    )
     parser.add_argument(
         "--seed", type=int, default=1, help="seed of the random moments, laws and geometries"
     )
     arguments = parser.parse_args()
     if unknown := set(arguments.parts) - set(PARTS):
-        parser.error(f"no part {unknown.pop()!r}; there are {', '.join(PARTS)}")
+        parser.error(f"part is {unknown.pop()!r}; it must be one of {', '.join(PARTS)}")
     shutil.rmtree(WORK, ignore_errors=True)
     failed = []
     for part in arguments.parts or PARTS:
@@ -80,9 +82,10 @@ def restarts(folder: Path, count: int) -> Iterator[Row]:
             whole = read_dump(folder / "whole" / "trajectory.dump")
             whole = whole[whole["step"] >= before].drop_duplicates(["step", "id"])
             if whole["fx"].iloc[0] == 0:
-                continue  # the bodies separated before
-            # The first forces of a run use the present velocities, not those of half a step ago.
-            # Friction may differ by round-off there, and the motion after it does not.
+                continue  # the bodies separated before the restart
+            # The first forces of a run use the current velocities; later forces use the velocities
+            # of half a step earlier. Friction may therefore differ by round-off in the first step,
+            # but the motion afterwards does not differ.
             whole = whole[whole["step"] > before]
             case["restart"] = folder / "whole" / "middle.restart"
             run_deck(decks / "restart_read.in", case, folder / "rest")
@@ -109,7 +112,7 @@ def ranks(folder: Path, _: int) -> Iterator[Row]:
     one = runs.pop(1)
     for count, other in runs.items():
         ratio = (other["kinetic_energy"] / one["kinetic_energy"] - 1).abs()
-        # Round-off grows tenfold per impact; six impacts give 1e-10.
+        # Round-off grows tenfold per impact, to 1e-10 after six impacts.
         early = one["collisions"] < 1
         yield Row(
             f"{count} ranks compared with one, up to one collision per grain: relative difference "
@@ -146,14 +149,14 @@ def size(folder: Path, _: int) -> Iterator[Row]:
     log = folder / "log.liggghts"
     values = {"side": "59", "mixing": "0.1", "duration": "1e9", "rows": "1000000000"}
     values |= {"checkpoints": "1"}
-    # The deck counts in collision times; this run counts steps.
+    # The duration of the deck is in collision times; replace it by a number of steps.
     deck = PROJECT / "inputs" / "bulk" / "cooling_gas.in"
     text = deck.read_text()
     text = text.partition("variable per_row")[0] + (
         "thermo 1000\nrestart 20000 ${output}/checkpoint.*.restart\nrun 20000 upto\n"
     )
     (folder / "cooling_gas.in").write_text(text)
-    with get_context("spawn").Pool(1) as pool:  # whose only children are the ranks
+    with get_context("spawn").Pool(1) as pool:  # a process that has no children but the ranks
         peak = pool.apply(_largest_rank, (folder / "cooling_gas.in", values, folder))
     loop = re.findall(
         r"Loop time of (\S+) on 2 procs for 20000 steps with (\d+) atoms", log.read_text()
@@ -170,7 +173,7 @@ def size(folder: Path, _: int) -> Iterator[Row]:
 
 
 def _largest_rank(deck: Path, values: dict[str, str], folder: Path) -> int:
-    """Return the largest memory of a rank [bytes], with libraries, in a run on two equal ranks."""
+    """Return the largest memory of a rank, including libraries, in a run on two ranks [bytes]."""
     run_deck(deck, values, folder, ranks=2, timeout=7200)
     return 1024 * resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss
 

@@ -24,7 +24,7 @@ from plastigran.engine.checkpoints import PATTERN, step_of
 from plastigran.engine.log import LogFollower
 from plastigran.engine.process import EngineError, engines
 
-#: A gas that takes some seconds, with a checkpoint every tenth of one.
+#: Settings of a gas whose run takes some seconds and writes a checkpoint every tenth of a second.
 SMALL = {"side": "5", "duration": "100", "rows": "200", "checkpoints": "50", "mixing": "1"}
 
 
@@ -85,7 +85,7 @@ def kill_until_done(work: Path, ranks: int, whole: Path) -> tuple[list[int], Pat
         whole: Folder of the same run without kills.
 
     Returns:
-        Steps each kill cost, and the folder of the last part.
+        Number of steps lost by each kill, and the folder of the last part.
 
     Raises:
         RunLost: A part could not continue from the previous one.
@@ -96,13 +96,13 @@ def kill_until_done(work: Path, ranks: int, whole: Path) -> tuple[list[int], Pat
         process = get_context("fork").Process(target=_run_part, args=(folder, ranks, earlier))
         process.start()
         log, until = LogFollower(folder / "log.liggghts"), at + random.uniform(0, 0.15) * last
-        # A new run first counts the steps of its mixing.
+        # A new run starts with a run for mixing, which counts its own steps.
         while process.is_alive() and (log.read().step < until or log.progress.run < 1 + (at == 0)):
             time.sleep(0.002)
         time.sleep(random.uniform(0, 0.02))
         by_itself = not process.is_alive()
         for engine in engines(folder):
-            with suppress(ProcessLookupError):  # ended with another process
+            with suppress(ProcessLookupError):  # the process has ended with another one
                 os.kill(engine, signal.SIGKILL)
         process.join(60)
         if process.exitcode == 0:
@@ -111,7 +111,7 @@ def kill_until_done(work: Path, ranks: int, whole: Path) -> tuple[list[int], Pat
             raise RunLost(f"{folder}: {(folder / 'error.txt').read_text()}")
         try:
             at = step_of(restart_point(folder, read_record(folder)))
-        except EngineError:  # killed before it wrote anything: it starts again
+        except EngineError:  # the run was killed before it wrote a checkpoint: start it again
             shutil.rmtree(folder)
             continue
         losses.append(log.read().step - at)
@@ -122,7 +122,7 @@ def _run_part(folder: Path, ranks: int, earlier: Path | None) -> None:
     try:
         run = run_bulk("cooling_gas", {} if earlier else SMALL, folder, ranks, earlier, show=False)
         run.raise_if_failed()
-    except Exception as error:  # killed, or lost
+    except Exception as error:  # the run was killed, or cannot continue
         (folder / "error.txt").write_text(repr(error))
         os._exit(1)
 

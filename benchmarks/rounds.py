@@ -11,7 +11,7 @@ from plastigran.engine.process import EngineError
 
 
 def turns(names: list[str], repeats: int, bar: str = "") -> Iterable[tuple[int, str]]:
-    """Return round and name of each run; every round begins with another name."""
+    """Return round and name of each run. Each round begins with the next name of the list."""
     order = [
         (round_, name)
         for round_ in range(repeats)
@@ -21,7 +21,7 @@ def turns(names: list[str], repeats: int, bar: str = "") -> Iterable[tuple[int, 
 
 
 def start(main: Callable[[], None]) -> None:
-    """Call a program, and turn an error of a host into its exit message."""
+    """Call a program, and exit with the message of an error of LIGGGHTS or LAMMPS."""
     try:
         main()
     except EngineError as error:

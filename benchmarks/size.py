@@ -1,20 +1,20 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Large settled beds: time and memory per grain, checkpoints, restarts, ranks.
+"""Measure large settled beds: time and memory per grain, checkpoints, restarts, ranks.
 
     ./run bench size                                        # 50 000 and 200 000 grains
     ./run bench size --part cost --grains 1000000 --repeats 1
 
 A bed of 25 by 25 by 20 grains settles once on a floor (size/settle.in, kept in build/bench/size).
-Wider beds are copies of it side by side. All contenders run once per round, and ratios are taken
-within a round. Times are processor times, except where ranks are compared.
+Wider beds are copies of this bed side by side. All contenders run once per round, and ratios are
+taken within a round. Times are processor times, but the comparison of ranks uses elapsed times.
 
     cost        time and memory of laws, without and with energy balance; checkpoint and restart
     ranks       strong and weak scaling on two ranks, and the cost of two beds at the same time
     settings    parts of the time of a step, and the effect of the deck's settings
     many        differences between one bed on 1 and on 64 ranks that share the cores
     calls       messages and reductions of a step on four ranks (size/mpi_calls.c)
-    maps        memory of the table of all atom IDs, which every rank has
+    maps        memory of the table of all atom IDs, which every rank stores
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ LAWS = {
     "universal, ledger": {"law": "universal", "ledger": 1},
     "hertz again": {"law": "hertz"},
 }
-#: Changes of the usual settings of a settled bed, one at a time.
+#: Settings of a settled bed that differ from the usual ones, by the description of the change.
 SETTINGS = {
     "as it is": {},
     "again": {},
@@ -71,25 +71,25 @@ def print_cost(table: pd.DataFrame) -> None:
     by_law = table.groupby("law", sort=False)
     shown = pd.DataFrame(
         {
-            "microseconds a grain and step": by_law["microseconds"].median().map("{:.3f}".format),
-            "time over hertz": ratio["processor"].median().map("{:.2f}".format),
+            "microseconds per grain and step": by_law["microseconds"].median().map("{:.3f}".format),
+            "time / time of hertz": ratio["processor"].median().map("{:.2f}".format),
             "lowest": ratio["processor"].min().map("{:.2f}".format),
             "highest": ratio["processor"].max().map("{:.2f}".format),
         }
         | {
-            f"bytes a grain, {key}": (by_law[key].median() / table["grains"].iloc[0]).round()
+            f"bytes per grain, {key}": (by_law[key].median() / table["grains"].iloc[0]).round()
             for key in memory
         }
-        | {f"{key} over hertz": ratio[key].median().round(3) for key in memory}
+        | {f"{key} / {key} of hertz": ratio[key].median().round(3) for key in memory}
     )
     shown = shown.loc[[name for name in LAWS if name in shown.index]]
     print(f"\n{table['grains'].iloc[0]} grains\n{shown.to_string()}")
 
 
 def print_restart(bed: Path, steps: int) -> None:
-    """Check that a restart ends bitwise like the whole run.
+    """Print whether a restarted run ends bitwise identical to the whole run.
 
-    Positions, velocities and forces of every grain are compared.
+    The comparison includes positions, velocities and forces of every grain.
     """
     whole, again = WORK / "whole", WORK / "again"
     done = run(bed, LAWS["thornton"] | {"steps": steps, "rest": steps}, whole)
@@ -98,14 +98,14 @@ def print_restart(bed: Path, steps: int) -> None:
     run_deck(DECKS / "again.in", LAWS["thornton"] | rest, again, timeout=None)
     ends = [(folder / "end.dump").read_bytes() for folder in (whole, again)]
     print(
-        f"checkpoint: {written / done.grains:.0f} bytes a grain, {done.checkpoint:.2f} s of the "
-        f"processor; {steps} steps after it: "
-        f"{'bitwise identical' if ends[0] == ends[1] else 'NOT the same'}"
+        f"checkpoint: {written / done.grains:.0f} bytes per grain, {done.checkpoint:.2f} s of "
+        f"processor time; {steps} steps after a restart, the results are "
+        f"{'bitwise identical' if ends[0] == ends[1] else 'NOT identical'}"
     )
 
 
 def settings(options: argparse.Namespace) -> None:
-    """Measure the effect of settings over enough steps that neighbor lists are rebuilt."""
+    """Measure the effect of settings in a run that rebuilds its neighbor lists."""
     bed, rows = widen(base(), *WIDTHS[options.grains[0]]), []
     for round_, name in turns(list(SETTINGS), options.repeats, "settings"):
         changed = LAWS["thornton"] | {"steps": options.steps} | SETTINGS[name]
@@ -134,7 +134,8 @@ def main() -> None:
     )
     parser.add_argument(
         "--grains", type=int, nargs="+", choices=WIDTHS, default=[50_000, 200_000], metavar="N",
-        help=f"grains: {', '.join(map(str, WIDTHS))}; ranks and settings use the first number",
+        help=f"numbers of grains, of {', '.join(map(str, WIDTHS))}; `ranks` and `settings` use the "
+        "first number",
     )  # fmt: skip
     parser.add_argument("--law", nargs="+", choices=LAWS, default=list(LAWS), help="default: all")
     parser.add_argument(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Settled beds of any width, and time and memory of their runs."""
+"""Make settled beds of any width, and measure time and memory of their runs."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ HERE = Path(__file__).resolve().parent
 DECKS = HERE / "size"
 WORK = PROJECT / "build" / "bench" / "size"
 RESULTS = PROJECT / "results" / "bench"
-#: Copies of the base along x and y, by grains.
+#: Numbers of copies of the base bed along x and y, by the number of grains.
 WIDTHS = {12_500: (1, 1), 25_000: (2, 1), 50_000: (2, 2), 200_000: (4, 4), 1_000_000: (8, 10)}
 #: Rows of LIGGGHTS' table of times.
 SECTIONS = ("Pair", "Neigh", "Comm", "Outpt", "Other")
@@ -43,8 +43,8 @@ class Run:
         processor: Processor time of the first rank in these steps [s].
         first: Memory of the first rank in its first run, before these steps [bytes].
         later: Memory of the first rank in these steps [bytes].
-        peak: Largest memory of the first rank [bytes]; after a run, the plugin keeps contacts for
-            the next one.
+        peak: Largest memory of the first rank [bytes]. It includes the contact histories that the
+            plugin stores between runs.
         sections: Times from LIGGGHTS' own table [s], by name of `SECTIONS`.
         ghosts: Mean number of ghost atoms of a rank.
         neighbors: Number of pairs in the neighbor lists.
@@ -65,7 +65,7 @@ class Run:
     checkpoint: float = float("nan")
 
     def row(self) -> dict[str, float]:
-        """All values by name."""
+        """Return all values by name."""
         flat = asdict(self)
         return flat | flat.pop("sections")
 
@@ -168,6 +168,6 @@ def run(
 
 
 def _bytes(file: Path) -> float:
-    """Return the median memory that the kernel reported; nan if the process had ended before."""
+    """Return the median memory that the kernel reported [bytes]; nan if it reported none."""
     kilobytes = [int(line.split()[1]) for line in file.read_text().splitlines()]
     return 1024 * float(np.median(kilobytes)) if kilobytes else float("nan")

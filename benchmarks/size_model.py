@@ -1,15 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Predict the time of a step of a dense bed on a cluster from runs on this machine.
+"""Predict the time per step of a dense bed on a cluster, from runs on this machine.
 
     .venv/bin/python benchmarks/size_model.py    # after ./run bench size --part cost
 
-A rank owns a cube of n grains. It computes its contacts, also those across its faces, because with
-`newton off` both sides compute them. It sends the grains near its faces to six ranks. One reduction
-decides whether all ranks rebuild their neighbor lists. The times of contacts and of ghost atoms are
-fitted to the runs of size.py. The numbers of contacts and ghost atoms follow from geometry and
-agree with a count on four ranks. size/mpi_calls.c counted bytes and calls. Values that were not
-measured are assumptions, the fields of `Cluster`.
+In the model, a rank owns a cube of n grains. With `newton off`, both ranks compute a contact across
+a face of the cube. A rank sends the grains near its faces to six ranks. One reduction decides
+whether all ranks rebuild their neighbor lists. The times of contacts and of ghost atoms are fitted
+to the runs of size.py. The numbers of contacts and ghost atoms follow from geometry and agree with
+a count on four ranks. size/mpi_calls.c counts bytes and calls. Values that were not measured are
+assumptions; they are the fields of `Cluster`.
 """
 
 from __future__ import annotations
@@ -27,11 +27,11 @@ RESULTS = PROJECT / "results" / "bench"
 #: Range of the neighbor lists / mean distance of grains in bed.in: (largest diameter + skin) /
 #: (volume of the box / grains)^(1/3).
 REACH = 1.29
-#: Position, velocity and spin of a ghost atom, eight bytes each number.
+#: Bytes that a ghost atom takes in a message: position, velocity and spin, eight bytes per number.
 COPY_BYTES = 72
-#: Bytes from memory per grain and step of a bed that no cache can hold: misses of a last-level
-#: cache of 1 MiB in cachegrind, in lines of 64 bytes. `hertz`, `thornton` and `universal` agree
-#: to 1 %.
+#: Bytes read from memory per grain and step, for a bed that is larger than any cache. They are the
+#: misses of a last-level cache of 1 MiB in cachegrind, times 64 bytes. The values of `hertz`,
+#: `thornton` and `universal` agree within 1 %.
 TRAFFIC_BYTES = 970
 #: Bytes of `atom_modify map array` per grain of the whole bed, on every rank; bytes of a checkpoint
 #: per grain.
@@ -60,10 +60,10 @@ class Cluster:
     Attributes:
         ranks: Number of ranks of a node.
         message: Latency of a message [s].
-        hop: Time of a reduction for each doubling of the ranks [s].
+        hop: Time of a reduction per doubling of the number of ranks [s].
         network: Network bandwidth of a node [bytes/s].
         memory: Memory bandwidth of a node [bytes/s].
-        imbalance: Grains of the fullest rank / mean.
+        imbalance: Largest number of grains of a rank / mean number.
         disk: Bandwidth of a checkpoint through one rank [bytes/s].
     """
 
@@ -82,9 +82,9 @@ def copies(grains: float) -> float:
 
 
 def contacts_factor(grains: float) -> float:
-    """Return the contacts that a cube of grains computes, divided by their number.
+    """Return the number of contacts that the rank of a cube computes, divided by its fair share.
 
-    At a face, each grain has a quarter of its contacts across it, which are computed twice.
+    A grain at a face has a quarter of its contacts across the face, which two ranks compute.
     """
     return 1 + 1.5 * grains ** (-1 / 3)
 
@@ -107,7 +107,7 @@ def step_time(grains: float, ranks: int, costs: Costs, cluster: Cluster) -> dict
 def fit(table: pd.DataFrame, law: str = "thornton") -> Costs:
     """Fit the costs to the rounds of `size.py --part cost`, by medians.
 
-    The time of copies is that of its row in LIGGGHTS' table, scaled from clock to processor time.
+    The time of copies is a row of LIGGGHTS' table, scaled from elapsed to processor time.
     """
     rows = table[table["law"] == law]
     steps = rows["processor"] / rows["steps"]
@@ -120,7 +120,7 @@ def fit(table: pd.DataFrame, law: str = "thornton") -> Costs:
 
 
 def predict(costs: Costs, cluster: Cluster) -> pd.DataFrame:
-    """Return time and memory from a million grains to a thousand million, on various ranks."""
+    """Return time and memory of a million to a thousand million grains, for numbers of ranks."""
     rows = []
     for grains in (1e6, 1e7, 1e8, 1e9):
         for per_rank in (100_000, 10_000, 1000):
@@ -149,7 +149,9 @@ def main() -> None:
         int(re.findall(r"\d+", file.stem)[0]): file for file in RESULTS.glob("size_cost_*.csv")
     }
     if not files:
-        raise SystemExit("ERROR: no results/bench/size_cost_*.csv; run ./run bench size first")
+        raise SystemExit(
+            "ERROR: results/bench/size_cost_*.csv is missing. Do `./run bench size` first"
+        )
     largest = Path(files[max(files)])
     costs, cluster = fit(pd.read_csv(largest)), Cluster()
     print(f"from {largest.name}: {costs}\nassumed: {cluster}\n")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Settled beds on several ranks: the parts of size.py that need more than one."""
+"""Run settled beds on several ranks: the parts of size.py that need more than one rank."""
 
 from __future__ import annotations
 
@@ -25,8 +25,8 @@ LAW = {"law": "thornton"}
 def ranks(options: argparse.Namespace) -> None:
     """Measure strong and weak scaling by elapsed time.
 
-    Two beds of half the size on one rank each, run at the same time, show the cost of sharing the
-    machine without communication.
+    Two beds of half the size run at the same time on one rank each. They show the cost of sharing
+    the machine without communication.
     """
     grains = options.grains[0]
     along = WIDTHS[grains]
@@ -63,7 +63,7 @@ def two_at_once(bed: Path, settings: dict[str, object]) -> float:
 
 
 def many(options: argparse.Namespace, count: int = 64) -> None:
-    """Print the largest differences of any grain between the base on 1 and on many ranks."""
+    """Print the largest differences of any grain between the base bed on one and on many ranks."""
     ends = {}
     for number in (1, count):
         began = monotonic()
@@ -82,11 +82,11 @@ def many(options: argparse.Namespace, count: int = 64) -> None:
     ):
         scale = scale or one[columns].abs().max(axis=None)
         difference = (one[columns] - other[columns]).abs().max(axis=None)
-        print(f"{quantity}: at most {difference / scale:.1e} apart")
+        print(f"{quantity}: largest difference {difference / scale:.1e}")
 
 
 def calls(options: argparse.Namespace) -> None:
-    """Print messages and bytes per step that the first of four ranks passes to MPI."""
+    """Print the numbers of messages and bytes per step that the first of four ranks sends."""
     program = WORK / "mpi_calls.so"
     source = DECKS / "mpi_calls.c"
     subprocess.run(["mpicc", "-O2", "-shared", "-fPIC", "-o", program, source], check=True)
@@ -106,10 +106,10 @@ def calls(options: argparse.Namespace) -> None:
 
 
 def maps(options: argparse.Namespace) -> None:
-    """Print the memory of the base if its grains have the IDs of grains in a huge bed."""
+    """Print the memory of the base bed if its grains have the large IDs of a huge bed."""
     for first in (1, 250_000_000):
         for way in ("array", "hash"):
             bed = widen(base(), 1, 1, first)
             done = run(bed, LAW | {"steps": options.steps, "map": way}, WORK / "maps")
             case = f"IDs up to {first + done.grains - 1}, map {way}"
-            print(f"{case}: {done.peak / 1e6:.0f} MB, {done.processor:.2f} s of the processor")
+            print(f"{case}: {done.peak / 1e6:.0f} MB, {done.processor:.2f} s of processor time")

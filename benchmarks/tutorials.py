@@ -4,8 +4,8 @@
 
     .venv/bin/python benchmarks/tutorials.py [TREE] [--laws universal thornton] [--rounds 3]
 
-TREE is LIGGGHTS' source tree, which tests/in_tree/build_upstream.sh fetches. Each deck gets a yield
-strength; the rest stays.
+TREE is LIGGGHTS' source tree, which tests/in_tree/build_upstream.sh fetches. The script adds a
+yield strength to each deck, and changes nothing else in the physics.
 """
 
 from __future__ import annotations
@@ -25,13 +25,13 @@ from plastigran.engine.process import PROJECT, EngineError, run_deck
 
 @frozen
 class Tutorial:
-    """Tutorial, and the changes that make it short.
+    """Tutorial of LIGGGHTS, and the changes that shorten its run.
 
     Attributes:
         folder: Folder in examples/LIGGGHTS/Tutorials_public, and name of its deck after `in.`.
         share: Fraction of the steps of each run.
         steps: Variable with a number of steps, and its new value.
-        strength: Yield strength / Young's modulus; such soft grains yield in most contacts.
+        strength: Yield strength / Young's modulus. With the default, grains yield in most contacts.
     """
 
     folder: str
@@ -70,7 +70,7 @@ def shortened(text: str, tutorial: Tutorial) -> str:
     text = re.sub(r"(?m)^\s*(dump|processors).*\n", "", text)
     if tutorial.steps:
         name, steps = tutorial.steps
-        # Only the number of steps changes; speeds of moving parts stay.
+        # Change only the number of steps, not the speeds of moving parts.
         text = re.sub(rf"(?m)^(\s*run\s+)\${{{name}}}", rf"\g<1>{steps}", text)
     return re.sub(
         r"(?m)^(\s*run\s+)(\d+)",
@@ -95,7 +95,7 @@ def run(text: str, source: Path, folder: Path, ranks: int = 1) -> tuple[float, s
     (folder / "post").mkdir(exist_ok=True)
     (folder / "deck.in").write_text(text)
     before = getrusage(RUSAGE_CHILDREN).ru_utime
-    # A tutorial does not have the variables of this project's decks.
+    # Set no variables, because the tutorials do not have those of this project's decks.
     none = {"inputs": None, "output": None}
     log = run_deck(folder / "deck.in", none, folder, ranks=ranks, working_folder=folder)
     return getrusage(RUSAGE_CHILDREN).ru_utime - before, log
@@ -111,7 +111,7 @@ def outcome(text: str, source: Path, folder: Path, ranks: int) -> str:
 
 
 def row(tutorial: Tutorial, tree: Path, laws: list[str], rounds: int, folder: Path) -> str:
-    """Return a row: outcomes on one and two ranks with the first law, and the cost of each law."""
+    """Return a row: outcomes of the first law on one and two ranks, and the cost of each law."""
     deck = tree / "examples/LIGGGHTS/Tutorials_public" / tutorial.deck
     original = shortened(deck.read_text(), tutorial)
     texts = [original, *(ported(original, law, tutorial.strength) for law in laws), original]

@@ -5,11 +5,11 @@
     .venv/bin/python benchmarks/random_scenes --scenes 1000
 
 Each scene has a random sphere law with random options, one to three materials, and two to fourteen
-particles that approach each other. Its sides are periodic or walls, of which one may be a mesh. It
-runs on one to four ranks, in up to four runs. Between runs, an event deletes, creates or displaces
-particles, resets the step, repeats the pair style, or restarts on other ranks. The positions of
-each frame alone determine the expected forces, elastic energy and plastic work. A scene follows
-from its seed, so `--seed 17 --scenes 1 --keep FOLDER` repeats one.
+particles that approach each other. Each side of the box is periodic or a wall; one wall may be a
+mesh. A scene runs on one to four ranks, in up to four runs. Between runs, an event deletes, creates
+or displaces particles, resets the step, repeats the pair style, or restarts on other ranks. The
+replay computes the expected forces, elastic energy and plastic work only from the positions in the
+frames. A scene follows from its seed, so `--seed 17 --scenes 1 --keep FOLDER` repeats one.
 """
 
 from __future__ import annotations
@@ -36,15 +36,15 @@ from tqdm import tqdm
 from plastigran.engine.log import LOG, read_thermo
 from plastigran.engine.process import PROJECT, run_deck
 
-#: Largest difference, relative to the largest force or energy of a scene. An overlap of 1e-5 of the
-#: box has a round-off of 1e-11, and steep curves multiply it by ten.
+#: Largest allowed difference, relative to the largest force or energy of a scene. An overlap of
+#: 1e-5 of the box has a round-off of 1e-11, and steep curves multiply it by ten.
 TOLERANCE = 1e-9
 RESULTS = PROJECT / "results" / "random_scenes.csv"
 
 
 @dataclass(frozen=True)
 class Verdict:
-    """Result of a scene: largest relative differences, or the error that prevented them."""
+    """Result of a scene: its largest relative differences, or the error that stopped it."""
 
     seed: int
     law: str
@@ -74,7 +74,7 @@ def judge(seed: int, folder: Path) -> Verdict:
             logs.append(folder / f"log_{number}")
             (folder / LOG).rename(logs[-1])
         return Verdict(*head, *compare(scene, folder, logs))
-    except Exception as error:  # other scenes continue; an error of the replay counts, too
+    except Exception as error:  # continue with other scenes; an error of the replay counts, too
         return Verdict(*head, error=f"{type(error).__name__}: {error}")
 
 
@@ -86,7 +86,7 @@ def compare(scene: Scene, folder: Path, logs: list[Path]) -> tuple[int, int, flo
     lines = lines.set_axis(["run", "step", "kinetic", "elastic", "plastic", "drift"], axis=1)
     replay, last = Replay(scene), None
     scale, worst, energy, frames = 0.0, 0.0, 0.0, 0
-    energies = []  # elastic and plastic, at start and end of each run
+    energies = []  # elastic energy and plastic work, at start and end of each run
     for number, event in enumerate(scene.events):
         run = list(read(folder / f"run_{number}.dump"))
         for frame in run:
@@ -107,7 +107,7 @@ def compare(scene: Scene, folder: Path, logs: list[Path]) -> tuple[int, int, flo
 def match(
     scene: Scene, event: Event, frame: Frame, last: tuple[np.ndarray, np.ndarray, int] | None
 ) -> np.ndarray:
-    """Return the names of a frame's particles: those of the nearest particles before it."""
+    """Return the names of a frame's particles: each keeps the name of the nearest earlier one."""
     if last is None:
         return frame.ids
     names, before, step = last
@@ -135,7 +135,7 @@ def match(
 
 
 def judge_in(root: Path, seed: int) -> Verdict:
-    """Call `judge` in a new folder, which stays if the scene differs."""
+    """Call `judge` in a new folder, which is kept if the scene differs."""
     folder = root / str(seed)
     folder.mkdir(parents=True, exist_ok=True)
     verdict = judge(seed, folder)
@@ -158,7 +158,7 @@ def main() -> None:
     parser.add_argument("--keep", type=Path, help="folder for the runs of scenes that differ")
     parser.add_argument("--output", type=Path, default=RESULTS, help="table (default: %(default)s)")
     options = parser.parse_args()
-    # Idle ranks yield, because other scenes need the cores.
+    # Let idle ranks yield the processor, because other scenes need it.
     os.environ.setdefault("OMPI_MCA_mpi_yield_when_idle", "1")
     seeds = range(options.seed, options.seed + options.scenes)
     options.output.parent.mkdir(parents=True, exist_ok=True)

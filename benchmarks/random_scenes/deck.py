@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Write the input scripts of a scene: one for each process, with a restart file between two."""
+"""Write the decks of a scene: one for each process, which continues from a restart file."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ from scene import Scene
 
 from plastigran.laws import hertz_yield_pressure_factor
 
-#: Distance from a place within which particles are deleted [m].
+#: Radius of the sphere around a place, in which particles are deleted [m].
 NEAR = 0.13
-_VARIABLES = ("variable inputs index inputs", "variable output index .")  # every deck has them
+_VARIABLES = ("variable inputs index inputs", "variable output index .")  # as in every deck
 MESH_CELLS = 3  # cells of the meshed wall along a side
 
 
@@ -101,7 +101,7 @@ def _again(scene: Scene, event: Event) -> Iterator[str]:
         yield from _pair_style(scene)
     yield from _surroundings(scene)
     if event.action == "restart":
-        yield "run 0"  # opens the energy balance of the restart file
+        yield "run 0"  # reads the energy balance from the restart file
     yield from _thermo()
 
 

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 AXES = "xyz"
-#: Radius of particles that are created between runs, the smallest of all [m].
+#: Radius of particles that are created between runs [m]; all other particles are larger.
 CREATED_RADIUS = 0.04
 #: Actions between two runs. `displace` moves all particles and is not possible with walls.
 ACTIONS = (
@@ -27,7 +27,7 @@ ACTIONS = (
 
 @dataclass(frozen=True)
 class Event:
-    """Action before a run.
+    """Event before a run of a scene.
 
     Attributes:
         action: One of ACTIONS.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Read the frames of a dump as arrays; a scene has hundreds, with a few particles each."""
+"""Read the frames of a dump as arrays. A scene has hundreds of frames with a few particles each."""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Compute the forces and energies of a scene from its positions, with numpy and the laws.
 
-The centers alone determine the contacts of every frame. The history of a contact begins at its
-first overlap and ends without overlap. No command of the deck changes it.
+The positions of the particles alone determine the contacts of every frame. The history of a contact
+begins when the overlap begins, and ends when the overlap ends. No command of the deck changes it.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from plastigran import laws
 
 @dataclass
 class Contact:
-    """Law of a contact, with its strength at the rate of first touch, and history."""
+    """Law of a contact, with the yield strength at the rate of first touch, and contact history."""
 
     law: laws.Law
     state: object = None

@@ -14,14 +14,15 @@ from plastigran import laws
 from plastigran.laws import Body
 from plastigran.usable_laws import laws_for
 
-#: Largest overlap of the heaviest particles / smallest radius; at higher speeds all start slower.
-#: Overlaps are larger where several particles act on one, and at 1 the plugin stops the run.
+#: Largest overlap / radius in an impact of the smallest radius with the largest mass. The initial
+#: speeds are reduced to reach this limit. Overlaps are larger if several particles act on one; at 1
+#: the plugin stops the run.
 DEEPEST = 0.6
 
 
 @dataclass(frozen=True)
 class Scene:
-    """Input of a deck and its replay, which follows from the seed alone.
+    """Input of a deck and of its replay, which follows from the seed alone.
 
     Attributes:
         seed: Seed of the random numbers.
@@ -85,7 +86,7 @@ def random_scene(seed: int) -> Scene:
     while _deepest(between, densities.max(), radius, 2 * speed) > DEEPEST * radius.min():
         speed /= 2
     timestep = _timestep(between, radius.min(), 2 * speed)
-    gap = 30 * speed * timestep  # closed within some 30 steps
+    gap = 30 * speed * timestep  # gap that closes within some 30 steps
     positions = _cluster(random, radius, gap)
     inward = positions.mean(axis=0) - positions
     inward /= np.linalg.norm(inward, axis=1, keepdims=True)
@@ -112,7 +113,8 @@ def random_scene(seed: int) -> Scene:
     )
 
 
-#: Laws with a rate factor that the plugin interpolates (docs/rate_factor.md), and Python does not.
+#: Laws for which the plugin interpolates the response at a rate factor (docs/rate_factor.md). The
+#: Python module computes it exactly.
 INTERPOLATED = {"universal", "mdr", "jackson_green", "ghaednia", "ghaednia_2019"}
 INTERPOLATED |= {"kogut_komvopoulos", "ye_komvopoulos"}
 
