@@ -23,7 +23,7 @@ from plastigran.fem.settings import Settings
 
 Result = TypeVar("Result")
 DIGEST = 32  # number of bytes of the checksum at the start of a file
-# libraries whose versions affect results (pandas: the file format)
+# Libraries whose versions affect results (pandas: the file format).
 LIBRARIES = ("numpy", "scipy", "scikit-fem", "pandas")
 
 
@@ -86,7 +86,7 @@ def _store(content: bytes, path: Path) -> None:
 
 
 def _checked(file: bytes) -> bytes:
-    """Return the content after the checksum; raise ValueError if the checksum is wrong."""
+    """Return the content that follows the checksum; raise ValueError if the checksum is wrong."""
     digest, content = file[:DIGEST], file[DIGEST:]
     if sha256(content).digest() != digest:
         raise ValueError("the cache file is damaged: its checksum differs")

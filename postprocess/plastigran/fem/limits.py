@@ -12,7 +12,7 @@ from plastigran.fem.theory.hertz import HertzSphere
 
 SMALL_STRAIN = 0.1  # largest a/R for small strain, with errors of some tenths of a per cent
 LARGEST = 0.4  # largest a/R of any computation
-# smallest a/R; below, the gap r^2/2R at the contact edge is lost in the round-off of R
+# Smallest a/R. Below it, the gap r^2/2R at the contact edge is lost in the round-off of R.
 SMALLEST = 1e-6
 SUBSONIC = 0.1  # largest speed / speed of sound of an impact
 LEAST_HARDNESS = 2.5  # smallest mean pressure / flow stress of a fully plastic contact
@@ -23,13 +23,14 @@ class SmallStrainWarning(UserWarning):
 
 
 def contact_reach(sphere: HertzSphere, force: float) -> float:
-    """Return the largest expected contact radius at a force, m: fully plastic or Hertz."""
+    """Return the largest expected contact radius at a force, m: of a plastic or Hertz contact."""
     elastic = sphere.contact_radius(force)
     if force <= sphere.yield_force:
         return elastic
     strength = sphere.yielding.hardening.yield_strength
     ratio = (force / sphere.yield_force) ** (1 / 3)
-    # Empirical fit for perfectly plastic spheres, within 1 % up to 600 times the yield force.
+    # This empirical fit for perfectly plastic spheres deviates by at most 1 % up to
+    # 600 times the yield force.
     plastic = sphere.contact_radius(sphere.yield_force) * (
         ratio + 0.745 * max(ratio**0.615 - 1, 0) ** 2.215
     )
@@ -40,8 +41,8 @@ def check_forces(sphere: HertzSphere, forces: Sequence[float], *, strain: str = 
     """Check the forces of a compression, N, for "small" or "finite" strain.
 
     Raises:
-        ValueError: A force is not positive and finite, does not exceed the one before, or gives a
-            contact radius that is too small or too large; see `check_reach`.
+        ValueError: A force is not positive and finite, does not exceed the previous force, or gives
+            a contact radius that is too small or too large; see `check_reach`.
     """
     if len(forces) == 0:
         raise ValueError("forces is empty. Give one or more forces [N]")
@@ -60,8 +61,8 @@ def force_of_impact(sphere: HertzSphere, speed: float) -> tuple[float, float]:
     elastic = sphere.force(sphere.approach_max(speed))
     if elastic <= sphere.yield_force:
         return elastic, sphere.contact_radius(elastic)
-    # Empirical power law, within 8 % of finite elements: 17.8, 107 and 228 P_Y at 12, 60 and 120
-    # v_Y.
+    # Use an empirical power law, which is within 8 % of finite elements: 17.8, 107 and 228 times
+    # the yield force at 12, 60 and 120 times the yield speed.
     force = min(sphere.yield_force * (speed / sphere.yield_speed) ** 1.15, elastic)
     return force, contact_reach(sphere, force)
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Conversion of finite-element results to bytes and back: arrays as numpy, the rest as JSON.
+"""Conversion of finite-element results to bytes and back: arrays as numpy, other data as JSON.
 
-Reading a file does not execute code from it.
+Reading a file does not execute code from the file.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ import pandas as pd
 
 PACKAGE = "plastigran."
 TREE = "tree"  # name of the entry that contains the JSON text
-#: Errors of numpy, zip, JSON and the classes for content that is not a result.
+#: Errors that numpy, zip, JSON and the classes raise for content that is not a result.
 NOT_A_RESULT = (
     AttributeError,
     BadZipFile,
@@ -41,7 +41,7 @@ def numbers(result: Any) -> dict[str, float | str]:
 
 
 def to_bytes(result: object) -> bytes:
-    """Return a result as bytes, the same for equal results.
+    """Return a result as bytes; equal results give the same bytes.
 
     Args:
         result: Numbers, texts, arrays, tables, or lists, tuples, dictionaries and attrs classes of

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Reproduced papers: one module or package per paper; `plastigran.papers.base` declares them."""
+"""Reproduced papers: one module or package per paper, see `plastigran.papers.base`."""
 
 from __future__ import annotations
 

@@ -11,8 +11,8 @@
     )
 
 `compute(progress, coarse)` returns the data; see `Evidence.run`. Each table, figure and movie is a
-function of the data. Its name, without `_figure` or `_movie`, is the name of the result; see also
-`plastigran.report.base.Findings`.
+function of the data. The name of the function, without `_figure` or `_movie`, is the name of the
+result; see also `plastigran.report.base.Findings`.
 
 `plastigran.papers` finds `PAPER` in each module or package. The page is docs/papers/NAME.md.
 """
@@ -64,7 +64,7 @@ def declare(
     movies: Sequence[Callable[[Any], Movie]] = (),
     **description: str,
 ) -> Paper:
-    """Return the paper whose results are made by functions of the computed data.
+    """Return a paper whose results are functions of the computed data.
 
     Args:
         compute: Function `compute(progress, coarse)` that returns the data.

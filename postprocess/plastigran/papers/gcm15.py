@@ -49,7 +49,7 @@ OTHER_STRONGE = "stronge, original radius"
 def compute(progress: bool, coarse: bool) -> Runs:
     """Compute every law at both angles, in LIGGGHTS and by the equations of motion.
 
-    Friction is as in the paper: mu F as soon as the tip slides.
+    As in the paper, friction is mu F as soon as the tip slides.
     """
     speeds = (-MEASURED.velocity_before,) if coarse else PAPER_SPEEDS
     with TemporaryDirectory() as folder:
@@ -71,7 +71,7 @@ def restitution(runs: Runs) -> pd.DataFrame:
 
 
 def measured_run(runs: Runs) -> pd.DataFrame:
-    """Return the run whose velocities the paper prints, by law and by its measured impulse."""
+    """Return the run whose velocities the paper prints, by laws and by the measured impulse."""
     rod = next(rod for rod in paper_rods() if rod.angle == MEASURED.angle)
     impacts = runs.table
     impacts = impacts[
@@ -129,17 +129,17 @@ def _by_law(runs: Runs, column: str) -> pd.DataFrame:
 
 
 def outcome_figure(runs: Runs) -> Figure:
-    """Draw the outcome of the impacts over speed."""
+    """Draw the outcome of the impacts versus speed."""
     return rod_figures.outcome_figure(runs.table)
 
 
 def deformation_figure(runs: Runs) -> Figure:
-    """Draw the permanent deformation over speed."""
+    """Draw the permanent deformation versus speed."""
     return rod_figures.deformation_figure(runs.table)
 
 
 def motion_figure(runs: Runs) -> Figure:
-    """Draw the motion with the law that is closest to the measured run."""
+    """Draw the motion of the run that is closest to the measured run."""
     law = rod_figures.closest_to_measured(runs.outcomes)
     return rod_figures.motion_figure(law, runs.outcomes[law])
 

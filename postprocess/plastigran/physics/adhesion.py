@@ -13,9 +13,10 @@ from plastigran import laws
 
 
 def _separation_work() -> float:
-    """Return the work between zero overlap and pull-off in units of (Gamma^5 R*^4/E*^2)^(1/3).
+    """Return the work of separation from zero overlap to pull-off.
 
-    With E* = R* = 1 and c = (2 pi Gamma)^(1/2), force and overlap are polynomials in s = a^(1/2).
+    The work is in units of (Gamma^5 R*^4/E*^2)^(1/3). With E* = R* = 1 and c = (2 pi Gamma)^(1/2),
+    force and overlap are polynomials in s = a^(1/2).
     """
     c = (2 * pi) ** 0.5
     overlap = np.polynomial.Polynomial([0, -c, 0, 0, 1])
@@ -69,7 +70,7 @@ def jkr_surface_energy(
 def sticking_speed(
     law: laws.Law, radius_eff: float, mass_eff: float, slowest: float = 1e-6, fastest: float = 1e2
 ) -> float:
-    """Return the largest speed at which two bodies stick [m/s]; 0 if none between the bounds.
+    """Return the largest speed at which two bodies stick [m/s]; 0 if it is below `slowest`.
 
     Args:
         law: Law between the bodies.
@@ -104,9 +105,9 @@ def plastic_pull_off_force(
 
         F = 2 p a_0^2 (asin x - x (1 - x^2)^(1/2)) - (8 pi E* Gamma a^3)^(1/2),   x = a/a_0
 
-    and the pull-off force is the largest attraction. The first term follows from a superposition of
-    flat punches. The construction is that of Mesarovic & Johnson 2000 (J. Mech. Phys. Solids
-    48:2009), for adhesion by the JKR theory.
+    and the pull-off force is the largest attraction. The first term is a superposition of flat
+    punches, as in Mesarovic & Johnson 2000 (J. Mech. Phys. Solids 48:2009); the adhesion follows
+    the JKR theory.
 
     Args:
         surface_energy: Work of adhesion Gamma [J/m2].

@@ -16,7 +16,7 @@ FITTED = (0.15, 0.95)
 
 @dataclass(frozen=True)
 class Profile:
-    """Velocity profile, and the fit of Bagnold's v = slip + rate (h^(3/2) - (h - z)^(3/2)).
+    """Velocity profile, and the fit of Bagnold's profile v = slip + rate (h^1.5 - (h - z)^1.5).
 
     Attributes:
         table: Columns height [m] above the base, speed [m/s], speed_predicted [m/s] and count; one
@@ -49,7 +49,7 @@ def fit_profile(grains: pd.DataFrame, diameter: float) -> Profile:
     """
     held = (grains[["vx", "vy", "vz"]] == 0).all(axis="columns")
     base = grains[held]
-    upper = base["z"] > base["z"].median()  # use only the upper of the two layers of the base
+    upper = base["z"] > base["z"].median()  # use only the upper one of the two layers of the base
     flow = grains[~held].assign(
         height=lambda row: row["z"] - base.loc[upper, "z"].mean(),
         volume=lambda row: row["radius"] ** 3,

@@ -23,8 +23,8 @@ EMPTY_ANNULI = (1.0, 2.0)
 #: Smallest volume fraction of a packing of spheres; a bed with a lower value is too shallow to
 #: measure.
 LOOSEST = 0.5
-#: Fraction of grains after whose discharge the steady part ends, because the level is near the
-#: cone.
+#: Discharged fraction of the grains at which the steady part ends, because the level is then near
+#: the cone.
 STEADY_SHARE = 0.5
 #: Number of blocks of equal time, even, from which the error of the rate is computed.
 BLOCKS = 10
@@ -124,11 +124,11 @@ def measure_discharge(
     coefficient: float,
     empty_annulus: float,
 ) -> Discharge | None:
-    """Measure the rate of the steady part: fit a line to the discharged grains over time.
+    """Measure the rate of the steady part: fit a line to the discharged grains versus time.
 
-    The start is left out for sqrt(2 D0/g), the time of free fall over one orifice diameter, because
-    the flow is not yet developed. The end is left out from `STEADY_SHARE` of the grains, when the
-    level is near the cone.
+    The steady part begins after sqrt(2 D0/g), the time of free fall by one orifice diameter,
+    because the flow develops in this time. It ends when `STEADY_SHARE` of the grains are
+    discharged, because the level is then near the cone.
 
     Args:
         series: Columns time [s] since the orifice opened, atoms, counted (discharged grains), and
@@ -141,8 +141,8 @@ def measure_discharge(
         empty_annulus: k of Beverloo's law for comparison [-].
 
     Returns:
-        The discharge. None if the run ended too early, has fewer than two rows per block, or had
-        too shallow a bed.
+        The discharge; None if the run ended too early, has fewer than two rows per block, or its
+        bed is too shallow.
     """
     grains, out = series["atoms"].iloc[0], series["counted"]
     early = series["time"] < (2 * orifice / gravitational_acceleration) ** 0.5
@@ -183,7 +183,7 @@ class Constants:
 
 
 def fit_constants(discharges: list[Discharge]) -> Constants:
-    """Fit C and k: a line through rate^(2/5) over the orifice diameter.
+    """Fit C and k: a line through rate^(2/5) versus orifice diameter.
 
     Raises:
         ValueError: There are fewer than three orifices, or grains of different sizes.

@@ -78,8 +78,8 @@ def viscoelastic_number(
 def viscoelastic_restitution(number: ArrayLike) -> np.ndarray:
     """Return the coefficient of restitution of viscoelastic spheres for v* [-], any shape.
 
-    Padé form of Müller & Pöschel 2011, Phys. Rev. E 84:021302. It exceeds the solution of the
-    equation of motion by 6e-8 at v* = 0.1, 0.14 % at 0.6 and 1.2 % at 1.
+    This is the Padé form of Müller & Pöschel 2011, Phys. Rev. E 84:021302. It exceeds the solution
+    of the equation of motion by 6e-8 at v* = 0.1, by 0.14 % at 0.6 and by 1.2 % at 1.
     """
     x = np.asarray(number, dtype=float)
     above = np.polynomial.Polynomial([1, 0.501086])
@@ -107,7 +107,7 @@ def hertz_history(
     """
     duration = hertz_duration(radius_eff, mass_eff, youngs_modulus_eff, speed)
     overlap_max = hertz_overlap_max(radius_eff, mass_eff, youngs_modulus_eff, speed)
-    share = np.sin(np.linspace(0, np.pi / 2, 201)) ** 0.8  # dense where the curve is steep
+    share = np.sin(np.linspace(0, np.pi / 2, 201)) ** 0.8  # points are dense near the maximum
     time = 0.5 * duration * betainc(0.4, 0.5, share**2.5)
     return (
         np.concatenate([time, duration - time[-2::-1]]),
@@ -128,20 +128,20 @@ def damping_ratio(coefficient_of_restitution: ArrayLike) -> np.ndarray:
 def restitution_without_pull(coefficient_of_restitution: ArrayLike) -> np.ndarray:
     """Return the restitution of a damped Hertzian contact that ends at zero force [-], any shape.
 
-    The dashpot is set for `coefficient_of_restitution` e, which results if the contact may attract
-    until the overlap is zero. If the contact ends at zero force, e^(1 - 2/pi atan(-ln e / pi))
-    results.
+    The dashpot is set for the restitution `coefficient_of_restitution` e of a contact that may
+    attract until the overlap is zero. If the contact ends at zero force, the restitution is
+    e^(1 - 2/pi atan(-ln e / pi)).
 
-    In the oscillator of `damping_ratio` sin(a), the force vanishes at the phase pi - 2a. There the
-    speed is exp(-tan(a) (pi - 2a)) of the initial one, and e = exp(-pi tan(a)). The linear contact
-    is in Schwager & Pöschel 2007, Granular Matter 9:465.
+    In an oscillator with the `damping_ratio` sin(a), the force vanishes at the phase pi - 2a. There
+    the speed is exp(-tan(a) (pi - 2a)) of the initial speed, and e = exp(-pi tan(a)). Schwager &
+    Pöschel 2007 (Granular Matter 9:465) treat the linear contact.
     """
     e = np.asarray(coefficient_of_restitution, dtype=float)
     return e ** (1 - 2 / np.pi * np.arctan(-np.log(e) / np.pi))
 
 
 def sphere_yield(pair: laws.MaterialPair, radius_eff: float) -> tuple[float, float, float]:
-    """Return the yield point of the Hertzian contact of spheres: the largest pressure is p_y.
+    """Return the yield point of the Hertzian contact of spheres, where the largest pressure is p_y.
 
     a_y = pi p_y R*/(2 E*), overlap_y = a_y^2/R*, F_y = 4/3 E* a_y^3/R*, W_y = 2/5 F_y overlap_y.
 
@@ -162,7 +162,7 @@ def sphere_yield(pair: laws.MaterialPair, radius_eff: float) -> tuple[float, flo
 def yield_speed(pair: laws.MaterialPair, radius_eff: float, mass_eff: float) -> float:
     """Return the closing speed at which a central impact just reaches yield [m/s].
 
-    From 1/2 m* v_y^2 = 2/5 F_y overlap_y; Thornton 1997, J. Appl. Mech. 64:383, eq. 22.
+    It follows from 1/2 m* v_y^2 = 2/5 F_y overlap_y; Thornton 1997, J. Appl. Mech. 64:383, eq. 22.
     """
     *_, work = sphere_yield(pair, radius_eff)
     return sqrt(2 * work / mass_eff)
@@ -171,7 +171,7 @@ def yield_speed(pair: laws.MaterialPair, radius_eff: float, mass_eff: float) -> 
 def line_yield(
     pair: laws.MaterialPair, radius_eff: float, cylinder_length: float, body_thickness: float
 ) -> tuple[float, float, float]:
-    """Return the yield point of the elastic line contact of a cylinder: mean pressure 1.5 sigma_Y.
+    """Return the yield point of the line contact of a cylinder: the mean pressure is 1.5 sigma_Y.
 
     With E' = pi E* and C = 2 ln(body_thickness/R*) + 2 ln(E'/(6 sigma_Y)) - nu/(1-nu):
     F_Y = 36 sigma_Y^2 R* L/E', overlap_Y = R* (6 sigma_Y/E')^2 C, W_Y = F_Y overlap_Y (2C-1)/(4C).
@@ -186,9 +186,10 @@ def line_yield(
         Force F_Y [N], overlap [m] and work W_Y [J].
 
     Raises:
-        ValueError: The contact at yield is wider than the line contact allows, C < 2.
+        ValueError: The contact at yield is too wide for a line contact (C < 2).
 
-    Source: Katta & Polycarpou 2010, J. Tribol. 132; Johnson, Contact Mechanics (1985), sec. 5.6.
+    Source: Katta & Polycarpou 2010, J. Tribol. 132:041402; Johnson, Contact Mechanics (1985), sec.
+    5.6.
     """
     ratio = 6 * pair.yield_strength / (pi * pair.youngs_modulus_eff)
     lateral = pair.poissons_ratio / (1 - pair.poissons_ratio)

@@ -12,8 +12,9 @@ _NODES, _WEIGHTS = roots_legendre(200)
 def contact_time(law, radius_eff: float, mass_eff: float, speed: float) -> tuple[float, float]:
     """Return the time to the largest overlap and to the end of the contact.
 
-    dt = d(overlap)/speed, where 1/2 m* speed^2 is the remaining kinetic energy. Gauss-Legendre
-    quadrature in the square root of the distance to the largest overlap, where the speed is zero.
+    The time is the integral of d(overlap)/speed, where 1/2 m* speed^2 is the remaining kinetic
+    energy. Gauss-Legendre quadrature uses the square root of the distance to the largest overlap as
+    its variable, because the speed is zero there.
 
     Args:
         law: Instance of a class of `plastigran.laws.LAWS` whose force depends only on overlap.

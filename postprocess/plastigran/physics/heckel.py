@@ -9,10 +9,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.stats import linregress
 
-#: Fraction of the peak pressure at which contact with the bed begins and ends. At lower pressures
-#: the punch touches single grains that stick out of the bed.
+#: Fraction of the peak pressure at which contact with the bed begins and ends. At lower pressures,
+#: the punch touches only single grains that protrude from the bed.
 TOUCH = 0.01
-#: Fractions of the peak pressure between which Heckel's line is fitted, after rearrangement.
+#: Fractions of the peak pressure between which Heckel's line is fitted. Rearrangement of the grains
+#: has ended there.
 STRAIGHT = (0.3, 0.9)
 
 
@@ -23,7 +24,7 @@ class Loop:
     Attributes:
         touch: Relative density at the start of loading [-].
         peak: Relative density at the highest pressure [-].
-        released: Relative density after unloading [-]; NaN if the pressure stays.
+        released: Relative density after unloading [-]; NaN if the pressure does not vanish.
         pressure: Highest pressure [Pa].
     """
 

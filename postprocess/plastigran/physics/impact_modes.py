@@ -2,7 +2,7 @@
 """Free vibrations of a sphere that a normal impact can excite.
 
 A normal impact is symmetric about the normal. It excites radial and spheroidal modes, but not
-toroidal ones, which twist the sphere.
+toroidal modes, which twist the sphere.
 """
 
 from __future__ import annotations
@@ -41,8 +41,8 @@ def impact_modes(
         by_degree.append(modes[modes["frequency"] <= highest])
         # The next degree has at most this many modes below `highest`.
         overtones = len(by_degree[-1]) + 1
-        # Stop at a degree without modes: from degree 2, the lowest frequency increases with the
-        # degree.
+        # Stop at a degree without modes, because from degree 2 on the lowest frequency increases
+        # with the degree.
         if degree >= 2 and by_degree[-1].empty:
             break
     return pd.concat(by_degree).sort_values("frequency", ignore_index=True)

@@ -20,11 +20,11 @@ from scipy.interpolate import PchipInterpolator
 #: Restitution as a function of normal impact speed [m/s], (N,) to (N,).
 Restitution = Callable[[np.ndarray], np.ndarray]
 
-#: Normal impact speeds of the average, divided by the thermal relative speed 2 T^(1/2). Higher
-#: speeds have a probability of exp(-49). Steps are equal, because restitution has a kink at yield.
+#: Normal impact speeds for averages, divided by the thermal relative speed 2 T^(1/2). Higher speeds
+#: have a probability of exp(-49). The steps are equal, because restitution has a kink at yield.
 _SPEEDS = np.linspace(0, 7, 2801)[1:]
 
-#: Smallest ln(T/T0) in the table of the energy loss; the loss is constant below.
+#: Smallest ln(T/T0) in the table of the energy loss; below this value, the loss is constant.
 _DEEPEST = -25.0
 
 #: Highest volume fraction of a fluid of hard spheres (Hoover & Ree 1968, J. Chem. Phys. 49:3609).
@@ -73,9 +73,8 @@ class Gas:
     def collision_rate(self, temperature: ArrayLike) -> np.ndarray:
         """Return the collisions of a grain per second, 4 n d^2 chi sqrt(pi T) [1/s].
 
-        T [m^2/s^2] may have any shape. Chapman & Cowling, The Mathematical Theory of Non-uniform
-        Gases
-        (1970), sec. 5.2 and 16.2.
+        T [m^2/s^2] may have any shape. Source: Chapman & Cowling, The Mathematical Theory of
+        Non-uniform Gases (1970), sec. 5.2 and 16.2.
         """
         number_density = self.volume_fraction / (4 / 3 * pi * self.radius**3)
         rate = 16 * number_density * self.radius**2 * contact_value(self.volume_fraction)
@@ -94,9 +93,8 @@ class Gas:
     def cooling_rate(self, temperature: float) -> float:
         """Return -d ln T/dt [1/s].
 
-        Each of the collision_rate/2 impacts per grain dissipates m/4 (1 - e^2) g^2 of its mean
-        energy
-        3/2 m T.
+        A grain has collision_rate/2 impacts per second, because two grains share an impact. Each
+        impact dissipates m/4 (1 - e^2) g^2; the mean energy of a grain is 3/2 m T.
         """
         return float(self.collision_rate(temperature)) * self.loss(temperature) / 3
 
@@ -104,13 +102,14 @@ class Gas:
 def cool(gas: Gas, temperature: float, times: ArrayLike) -> pd.DataFrame:
     """Return the temperature of a freely cooling gas.
 
-    dT/dt = -cooling_rate T. For constant e this is Haff's law (`haff`). For a restitution that
-    depends on speed see Brilliantov & Poeschel, Kinetic Theory of Granular Gases (2004), ch. 9;
-    their Sonine terms are left out.
+    The equation is dT/dt = -cooling_rate T. For constant restitution this is Haff's law (`haff`).
+    For a restitution that depends on speed, see Brilliantov & Poeschel, Kinetic Theory of Granular
+    Gases (2004), ch. 9; this function omits their Sonine terms.
 
-    The relative error for `gas.count` grains treats the losses of impacts as independent:
-    var' = -2 d(cooling_rate)/d(ln T) var + collision_rate <(l/(3/2))^2>/2N, starting at zero, where
-    l is the quantity averaged by `loss`. The first term exists because a hotter gas cools faster.
+    The variance of the relative error of N = `gas.count` grains starts at zero. It follows from
+    var' = -2 d(cooling_rate)/d(ln T) var + collision_rate <(l/(3/2))^2>/2N, where l is the quantity
+    that `loss` averages. The first term exists because a hotter gas cools faster. The second term
+    treats the losses of impacts as independent.
 
     Args:
         gas: Grains.
@@ -164,8 +163,8 @@ def cool(gas: Gas, temperature: float, times: ArrayLike) -> pd.DataFrame:
 def haff(temperature: float, cooling_rate: float, times: ArrayLike) -> np.ndarray:
     """Return the temperature [m^2/s^2] of a gas with constant restitution, any shape.
 
-    T0 / (1 + t/tau)^2 with 2/tau = (1 - e^2) collision_rate/3 at time 0; Haff 1983, J. Fluid Mech.
-    134:401.
+    It is T0 / (1 + t/tau)^2 with 2/tau = (1 - e^2) collision_rate/3 at time 0; Haff 1983, J. Fluid
+    Mech. 134:401.
 
     Args:
         temperature: T0 [m^2/s^2].
@@ -182,7 +181,8 @@ def law_restitution(law, radius: float, mass: float, speeds: tuple[float, float]
         law: Any law of `plastigran.laws`.
         radius: Radius of a sphere [m].
         mass: Mass of a sphere [kg].
-        speeds: Slowest and fastest impact of the table [m/s]; constant beyond.
+        speeds: Slowest and fastest impact of the table [m/s]. Outside this range, the restitution
+            is constant.
     """
     speed = np.geomspace(*speeds, 400)
     value = law.central_impact(radius / 2, mass / 2, speed).coefficient_of_restitution

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Free vibrations of a homogeneous elastic sphere, to judge quasi-static contact laws.
 
-Lamb 1882 (Proc. Lond. Math. Soc. s1-13:189); Love, Mathematical Theory of Elasticity (1927), ch.
-XII. Toroidal modes shear the sphere along its surface. Spheroidal modes displace the surface; those
-of degree 0 are radial. x = k a and y = h a are the radius a times the wave numbers of shear and
+Toroidal modes shear the sphere along its surface. Spheroidal modes displace the surface; those of
+degree 0 are radial. x = k a and y = h a are the radius a times the wave numbers of shear and
 compression at the frequency of the mode. y/x = c_t/c_l depends only on Poisson's ratio.
+
+Sources: Lamb 1882 (Proc. Lond. Math. Soc. s1-13:189); Love, Mathematical Theory of Elasticity
+(1927), ch. XII.
 """
 
 from __future__ import annotations
@@ -101,29 +103,28 @@ def bessel_zeros(degree: int, count: int) -> np.ndarray:
 
 
 def roots_between(function: Function, edges: np.ndarray) -> np.ndarray:
-    """Return the root between each two adjacent edges, (len(edges) - 1,)."""
+    """Return the root in each interval between adjacent edges, (len(edges) - 1,)."""
     return np.array([brentq(function, a, b, xtol=1e-14, rtol=1e-15) for a, b in pairwise(edges)])
 
 
 def toroidal(degree: int, x: float) -> float:
-    """Return x j_n'(x) - j_n(x), the surface shear stress; its zeros are the toroidal k a."""
+    """Return x j_n'(x) - j_n(x), the surface shear stress. Its zeros are k a of toroidal modes."""
     return x * spherical_jn(degree, x, derivative=True) - spherical_jn(degree, x)
 
 
 def radial(poissons_ratio: float, y: float) -> float:
     """Return y j_0(y) - 4 (c_t/c_l)^2 j_1(y), the normal stress on the surface.
 
-    Its zeros are the radial h a.
+    Its zeros are h a of the radial modes.
     """
     return y * spherical_jn(0, y) - 4 * wave_speed_ratio(poissons_ratio) ** 2 * spherical_jn(1, y)
 
 
 def toroidal_roots(degree: int, count: int) -> np.ndarray:
-    """Return the first toroidal k a, (count,).
+    """Return k a of the first toroidal modes, (count,).
 
-    x j_n'/j_n decreases from n at x = 0, and from +inf to -inf between zeros of j_n. It is
-    therefore
-    1 once before each of them. For n = 1 the first one is x = 0, the rotation of the sphere.
+    x j_n'/j_n decreases from n at x = 0, and from +inf to -inf between zeros of j_n. It therefore
+    equals 1 once before each zero. For n = 1, the first root is x = 0, the rotation of the sphere.
     """
     zeros = bessel_zeros(degree, count + 1)
     edges = zeros if degree == 1 else np.concatenate([[1e-3 * degree], zeros[:-1]])
@@ -131,10 +132,10 @@ def toroidal_roots(degree: int, count: int) -> np.ndarray:
 
 
 def radial_roots(poissons_ratio: float, count: int) -> np.ndarray:
-    """Return the first radial h a, (count,).
+    """Return h a of the first radial modes, (count,).
 
-    y j_0/j_1 decreases from 3 at y = 0, and from +inf to -inf between zeros of j_1. It is therefore
-    equal to 4 (c_t/c_l)^2 < 3 once before each of them.
+    y j_0/j_1 decreases from 3 at y = 0, and from +inf to -inf between zeros of j_1. It therefore
+    equals 4 (c_t/c_l)^2 < 3 once before each zero.
     """
     edges = np.concatenate([[1e-6], bessel_zeros(1, count)])
     return roots_between(lambda y: radial(poissons_ratio, y), edges)
@@ -145,15 +146,15 @@ def surface(degree: int, poissons_ratio: float, x: float) -> tuple[np.ndarray, n
 
     Column 0 is the compression wave grad(j_n(h r) Y), column 1 the shear wave
     curl curl(r j_n(k r) Y). Row 0 is the component along r, row 1 the component along grad Y times
-    sqrt(n(n+1)), so that displacement^T traction is their work on the surface. Each wave is
-    scaled to a displacement of one, lengths by a, and stresses by the shear modulus.
+    sqrt(n(n+1)), so that displacement^T traction is the work on the surface. Each wave is
+    normalized to a displacement of one. Lengths are divided by a, stresses by the shear modulus.
 
     Returns:
         displacement, traction, (2, 2) each.
     """
     square = degree * (degree + 1)
     arguments = np.array([x * wave_speed_ratio(poissons_ratio), x])
-    # one call for both orders, because the function is slow
+    # Call the function once for both orders, because it is slow.
     below, (p, s) = spherical_jn([[degree - 1], [degree]], arguments)
     # x j_n'(x) = x j_(n-1)(x) - (n + 1) j_n(x)
     p_slope, s_slope = arguments * below - (degree + 1) * np.array([p, s])
@@ -171,18 +172,18 @@ def surface(degree: int, poissons_ratio: float, x: float) -> tuple[np.ndarray, n
 
 
 def spheroidal(degree: int, poissons_ratio: float, x: float) -> float:
-    """Return the determinant of the surface tractions; its zeros are the spheroidal k a."""
+    """Return the determinant of the surface tractions. Its zeros are k a of spheroidal modes."""
     return float(np.linalg.det(surface(degree, poissons_ratio, x)[1]))
 
 
 def spheroidal_roots(degree: int, poissons_ratio: float, count: int) -> np.ndarray:
-    """Return the first spheroidal k a of degree 1 or more, (count,).
+    """Return k a of the first spheroidal modes of a degree of 1 or more, (count,).
 
     The two eigenvalues of the dynamic stiffness of the surface (traction/displacement) decrease
-    with x from pole to pole. A mode is a zero of one of them. The number of modes below x is the
+    with x from pole to pole. A mode is a zero of one eigenvalue. The number of modes below x is the
     number of negative eigenvalues plus the number of poles (Wittrick & Williams 1971, Q. J. Mech.
-    Appl. Math. 24:263). An interval with several modes is bisected until each one has its own
-    change of sign of the determinant.
+    Appl. Math. 24:263). An interval with several modes is bisected until the determinant changes
+    its sign in a separate interval for each mode.
     """
 
     def look(x: float) -> tuple[float, int, float, float]:

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Theory of oblique impacts: rigid bodies that slide, and elastic bodies that stick and slide.
 
-The motion is in one plane. The first body moves along -x and touches the second body, or a rigid
-plane; y is along the surface. The surface speed is the speed along y of the first body's surface at
-the contact relative to the second's.
+The motion is in one plane. The first body moves along -x and touches the second body or a rigid
+plane. The axis y is along the surface. The surface speed is the relative velocity of the two
+surfaces at the contact along y. It is positive if the first body's surface moves faster along +y.
 """
 
 from __future__ import annotations
@@ -28,7 +28,8 @@ class Motion:
         along: Speed of the first body along y [m/s].
         spin: Spin of the first body [rad/s], positive if its surface at the contact moves along +y.
         along_other: Speed of the second body along y [m/s].
-        spin_other: Spin of the second body [rad/s], positive if its surface moves along +y.
+        spin_other: Spin of the second body [rad/s], positive if its surface at the contact moves
+            along +y.
     """
 
     normal: float
@@ -40,7 +41,7 @@ class Motion:
 
 @attrs.frozen
 class ObliqueImpact:
-    """Two homogeneous spheres, or a sphere and a rigid plane, before an impact.
+    """Two homogeneous spheres, or a homogeneous sphere and a rigid plane, before an impact.
 
     Attributes:
         pair: Constants of the two materials.
@@ -83,14 +84,15 @@ class ObliqueImpact:
         return motion.along + motion.spin * self.radius - motion.along_other - other
 
     def restitution(self) -> float:
-        """Restitution along the normal, for a dashpot that never attracts [-]."""
+        """Return the normal restitution for a contact whose dashpot never causes attraction [-]."""
         return float(central.restitution_without_pull(self.coefficient_of_restitution))
 
     def slides(self) -> bool:
-        """Whether rigid bodies slide throughout the impact: |v_s| >= 7/2 mu (1 + e) v_n.
+        """Return whether the contact slides throughout the impact.
 
-        Friction then cannot stop the surfaces. An elastic contact slides throughout only if the
-        surfaces also move faster than the limit of the spring grows.
+        Friction cannot stop the surfaces of rigid bodies if |v_s| >= 7/2 mu (1 + e) v_n. In an
+        elastic contact, the surfaces must also move faster than the largest stretch of the
+        tangential spring grows.
         """
         least = max(3.5 * (1 + self.restitution()), self.stretch_ratio)
         speed = abs(self.surface_speed(self.before))
@@ -98,7 +100,7 @@ class ObliqueImpact:
 
     @property
     def stretch_ratio(self) -> float:
-        """Longest undamped spring / (mu overlap): F / (k_t overlap) = E*/(6 G*)."""
+        """Largest stretch of the undamped tangential spring / (mu overlap), E*/(6 G*)."""
         return self.pair.youngs_modulus_eff / (6 * self.pair.shear_modulus_eff)
 
     def rigid_sliding(self) -> Motion:
@@ -106,7 +108,8 @@ class ObliqueImpact:
 
         The tangential impulse mu (1 + e) m* v_n opposes the surface speed. For a sphere on a plane,
         v_t' = v_t - mu (1 + e) v_n and R w' = R w - 5/2 mu (1 + e) v_n.
-        Foerster et al. 1994, Phys. Fluids 6:1108; Kharaz et al. 2001, Powder Technol. 120:281.
+        Sources: Foerster et al. 1994, Phys. Fluids 6:1108; Kharaz et al. 2001, Powder Technol.
+        120:281.
         """
         before, restitution = self.before, self.restitution()
         direction = -float(np.sign(self.surface_speed(before)))
@@ -124,13 +127,11 @@ class ObliqueImpact:
     def spring_slider(self) -> Motion:
         """Return the motion after an impact with a tangential spring and a slider.
 
-        The spring has Mindlin's stiffness without slip, k_t = 8 G* a, and follows the surfaces. It
-        slides at mu F, where F includes the dashpot. There is no tangential dashpot. This is the
-        model
-        of LIGGGHTS' `tangential history` with `tangential_damping off`, as an event-driven
-        differential
-        equation. The partial slip of Maw, Barber & Fawcett (1976, Wear 38:101) is not included. The
-        lever arms are the distances to the middle of the overlap, R - overlap/2.
+        The spring has Mindlin's stiffness without slip, k_t = 8 G* a. The contact slides when the
+        tangential force reaches mu F, where F includes the force of the normal dashpot. There is no
+        tangential dashpot. This is the model of LIGGGHTS' `tangential history` with
+        `tangential_damping off`. The partial slip of Maw, Barber & Fawcett (1976, Wear 38:101) is
+        not included. The lever arms reach to the middle of the overlap: R - overlap/2.
 
         Raises:
             RuntimeError: The impact does not end.
@@ -139,10 +140,10 @@ class ObliqueImpact:
 
 
 class _SpringSlider:
-    """Equations in units of the closing speed, the largest overlap and m*.
+    """Equations of motion in units of the closing speed, the largest overlap and m*.
 
-    State: overlap, its rate, tangential speed of the centers, R w of each body, spring length.
-    With the force F = 5/4 d^(3/2), the oscillator of `central.damping_ratio` has the frequency 5/4,
+    The state contains the overlap d, its rate, the relative tangential speed of the centers, R w of
+    the two bodies, and the stretch of the spring. In these units the Hertz force is 5/4 d^(3/2),
     and the tangential stiffness is 5/4 (6 G*/E*) d^(1/2).
     """
 
@@ -159,14 +160,14 @@ class _SpringSlider:
         self.stiffness = 1 / impact.stretch_ratio
         self.flat = np.array([overlap / impact.radius, overlap / impact.radius_other])
         self.share = np.array([impact.mass_eff / impact.mass, impact.mass_eff / impact.mass_other])
-        # 0 for sticking; +1 or -1 for sliding with the spring stretched in this direction.
+        # 0 for a sticking contact; for a sliding contact, the sign of the spring's stretch.
         self.sense = 0
 
     def normal_force(self, overlap: float, rate: float) -> float:
         return 1.25 * overlap**1.5 + 2.5 * self.damping * overlap**0.25 * rate
 
     def reach(self, overlap: float, rate: float) -> float:
-        """Return the spring length at which the contact slides, mu F / k_t."""
+        """Return the stretch of the spring at which the contact slides, mu F / k_t."""
         force = max(0.0, self.normal_force(overlap, rate))
         return self.friction * force / (1.25 * self.stiffness * sqrt(overlap))
 
@@ -219,7 +220,7 @@ class _SpringSlider:
         time, end = 0.0, 20.0
         sticks = abs(state[5]) < self.reach(state[0], state[1])
         self.sense = 0 if sticks else int(np.sign(state[5])) or 1
-        # Upper bound; impacts have only a few changes between sticking and sliding.
+        # An impact has only a few changes between sticking and sliding.
         for _ in range(100):
             part = solve_ivp(
                 self.rates, (time, end), state, "DOP853", events=[released, changes],

@@ -10,21 +10,22 @@ import numpy as np
 
 from plastigran import laws
 
-#: Ratio of the recommended time step of the law to the step of the integration.
+#: Recommended time step of the law / time step of the integration.
 FINER = 12
-#: Largest number of steps of an impact.
+#: Largest number of time steps of an impact.
 MOST_STEPS = 100_000
 
 
 @attrs.frozen
 class ObliqueOutcome:
-    """Outcome of oblique impacts. The first body has no spin before; all arrays have one shape.
+    """Outcome of oblique impacts of bodies without spin. All arrays have the same shape.
 
     Attributes:
-        normal_restitution: Ratio of the normal relative speeds after and before [-].
-        tangential_restitution: Ratio of the tangential relative speeds of the centers [-]; NaN for
-            a central impact.
-        spin: Spin of the first body after the impact [rad/s]; it rolls forward if positive.
+        normal_restitution: Normal relative speed after the impact / that before [-].
+        tangential_restitution: Tangential relative speed of the centers after the impact / that
+            before [-]; NaN for a central impact.
+        spin: Spin of the first body after the impact [rad/s]. The body rolls forward if the spin
+            is positive.
         rebound_angle: Angle of the first body's relative velocity from the normal after the impact
             [degrees].
         friction_work: Energy dissipated by friction [J].
@@ -40,7 +41,9 @@ class ObliqueOutcome:
 
 
 def normalized_angle(pair: laws.MaterialPair, friction: float, angle: np.ndarray) -> np.ndarray:
-    """Return psi = tan(angle) 4 G*/(mu E*), by which elastic impacts of any friction agree [-].
+    """Return the normalized angle psi = tan(angle) 4 G*/(mu E*) [-].
+
+    Elastic impacts with different coefficients of friction agree if plotted versus psi.
 
     Args:
         pair: Constants of the two materials.
@@ -61,17 +64,17 @@ def oblique_impacts(
     speeds: np.ndarray,
     angles: np.ndarray,
 ) -> ObliqueOutcome:
-    """Integrate oblique impacts by velocity Verlet, with twelve times the recommended steps.
+    """Integrate oblique impacts by velocity Verlet, with 1/12 of the recommended time step.
 
-    Both bodies are homogeneous spheres, or the second is an immovable flat. The tangential motion
-    of the surfaces then has the mass 2/7 m*.
+    Both bodies are homogeneous spheres, or the second is an immovable flat. The effective mass of
+    the relative tangential motion of the surfaces is therefore 2/7 m*.
 
     Args:
         law: Normal law of a sphere without adhesion.
         tangential: Tangential law.
         radius_eff: R* [m].
         mass_eff: m* [kg].
-        torque_arm: Radius times mass of the first body [kg m], which sets its spin.
+        torque_arm: Radius times mass of the first body [kg m], for its spin.
         speeds: Relative speeds before the impact (N,) [m/s].
         angles: Angles of the velocities from the normal (N,) [degrees].
 
@@ -84,10 +87,11 @@ def oblique_impacts(
     normal_states = np.array([law.State() for _ in speeds])
     tangential_state: Any = tangential.State(speeds.shape)
 
-    rate, slip = closing.copy(), sliding.copy()  # of the overlap; of the surfaces
+    # `rate` is the rate of the overlap; `slip` is the relative tangential speed of the surfaces.
+    rate, slip = closing.copy(), sliding.copy()
     overlap, normal, friction = np.zeros_like(rate), np.zeros_like(rate), np.zeros_like(rate)
     impulse, work, plastic = np.zeros_like(rate), np.zeros_like(rate), np.zeros_like(rate)
-    moving = np.ones_like(rate)  # 0 after an impact
+    moving = np.ones_like(rate)  # 1 during an impact, 0 after its end
     for _ in range(MOST_STEPS):
         half = 0.5 * step * moving
         rate, slip = rate - normal * half / mass_eff, slip - 3.5 * friction * half / mass_eff

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Oblique elastic impacts with partial slip (Maw, Barber & Fawcett 1976, Wear 38:101).
 
-The contact sticks in its middle and slips at its edge. Each ring of the contact keeps its share of
-friction. Cattaneo's and Mindlin's tangential contact is a superposition of normal contacts.
-While the overlap changes from d to d + dd, the contact grows by a ring. The ring carries the
-tangential force D F'(d) dd and stretches the surfaces by D (E*/4G*) dd, with -mu <= D <= mu (Jaeger
-1993, Arch. Appl. Mech. 63:402; method of memory diagrams, Aleshin, Bou Matar & Van Den Abeele 2015,
-Int. J. Solids Struct. 60).
+The contact sticks in its middle and slips at its edge. Cattaneo's and Mindlin's tangential contact
+is a superposition of normal contacts. While the overlap grows from d to d + dd, the contact grows
+by a ring. The ring carries the tangential force D F'(d) dd and shifts the surfaces by
+D (E*/4G*) dd, with -mu <= D <= mu. Each ring keeps its friction ratio D until it slips.
+
+Sources: Jaeger 1993, Arch. Appl. Mech. 63:402; Aleshin, Bou Matar & Van Den Abeele 2015, Int. J.
+Solids Struct. 60 (method of memory diagrams).
 """
 
 from __future__ import annotations
@@ -16,7 +17,7 @@ import attrs
 from plastigran.physics import central
 from plastigran.physics.oblique import Motion, ObliqueImpact
 
-#: Default number of time steps of an impact; the error of tangential restitution is 2e-5.
+#: Default number of time steps of an impact. The tangential restitution then has an error of 2e-5.
 STEPS = 500
 
 
@@ -25,10 +26,10 @@ class Rings:
     """Rings of a contact, from its middle outward.
 
     Attributes:
-        friction: mu, the largest share D [-].
+        friction: Coefficient of friction mu, the largest ratio D [-].
         compliance: Tangential compliance / normal compliance, E*/(4 G*) [-].
-        overlap: Largest overlap that the rings cover.
-        rings: Overlaps at which each ring begins and ends, and its share D.
+        overlap: Overlap at the outer edge of the last ring.
+        rings: For each ring, the overlaps at its inner and outer edge, and its ratio D.
     """
 
     friction: float
@@ -43,8 +44,8 @@ class Rings:
     def move(self, overlap: float, shift: float) -> None:
         """Move the bodies to another overlap, and by `shift` along the surface.
 
-        Shift and overlap have the same unit. The part of the shift that the rings cannot take
-        slides.
+        Shift and overlap have the same unit. If the shift is larger than the rings can stretch,
+        the bodies slide by the rest.
         """
         wanted = shift
         if overlap > self.overlap:
@@ -59,7 +60,7 @@ class Rings:
             self._slip(wanted)
 
     def _cut(self, overlap: float) -> float:
-        """Remove the rings beyond an overlap and return their stretch."""
+        """Remove the rings outside the contact of an overlap, and return their shift."""
         held = 0.0
         while self.rings and self.rings[-1][1] > overlap:
             begin, end, share = self.rings.pop()
@@ -88,10 +89,9 @@ class Rings:
 def partial_slip(impact: ObliqueImpact, steps: int = STEPS) -> Motion:
     """Return the motion after an oblique impact of elastic bodies with partial slip.
 
-    The normal motion is that of `ObliqueImpact.spring_slider`, including the dashpot. Friction is
-    mu
-    times the elastic pressure; to first order in the damping its impulse is the same. The lever arm
-    of friction is the radius.
+    The normal motion, including the dashpot, is as in `ObliqueImpact.spring_slider`. The friction
+    limit is mu times the elastic pressure, without the dashpot. This changes the impulse of
+    friction only in second order of the damping. The lever arm of friction is the radius.
 
     Args:
         impact: Impact of one sphere on a plane.

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Leeb's rebound hardness: a body with a ball of tungsten carbide hits a flat sample.
 
-The reading is HL = 1000 times rebound speed / impact speed (ISO 16859). A contact law and the yield
-strength of the sample therefore predict it. The ball is much harder than a metal sample and is
-treated as elastic. The sample is treated as thick and heavy.
+The tester displays HL = 1000 times rebound speed / impact speed (ISO 16859). A contact law predicts
+HL from the yield strength of the sample. The ball is much harder than a metal sample and is treated
+as elastic. The sample is treated as thick and heavy.
 """
 
 from __future__ import annotations
@@ -17,7 +17,8 @@ from plastigran.declared import number, radius_field
 
 GRAVITATIONAL_ACCELERATION = 9.81  # standard gravity [m/s^2]
 
-#: Cemented tungsten carbide: 600 to 650 GPa, elastic at the speeds of testers.
+#: Cemented tungsten carbide, whose Young's modulus is 600 to 650 GPa. It does not yield at the
+#: speeds of the testers.
 TUNGSTEN_CARBIDE = laws.Body(625e9, 0.22)
 
 
@@ -27,8 +28,8 @@ class ReboundTester:
 
     Attributes:
         ball: Material of the ball, which does not yield.
-        sensor_height: Height at which the speeds are measured [m]. 0 leaves gravity out. The 1 mm
-            of real testers lowers the reading of device D by 0.1 % at 800 and by 2.5 % at 300.
+        sensor_height: Height at which the speeds are measured [m]; 0 to neglect gravity. In real
+            testers it is 1 mm, which lowers the HL of device D by 0.1 % at 800 and by 2.5 % at 300.
 
     Raises:
         ValueError: A number is out of range.
@@ -79,12 +80,12 @@ class ReboundTester:
         return sqrt(self.speed**2 + self._speed_lost() ** 2)
 
     def _speed_lost(self) -> float:
-        """Return the speed gained in the fall from the sensor to the sample [m/s]."""
+        """Return the speed of a free fall from rest at the sensor to the sample [m/s]."""
         return sqrt(2 * GRAVITATIONAL_ACCELERATION * self.sensor_height)
 
 
 def dented_flat(law: str) -> dict[str, str]:
-    """Return the options of a law for a yielding flat instead of a yielding sphere."""
+    """Return the option that makes the flat yield instead of the sphere; {} if the law has none."""
     words = {option["name"]: option["choices"] for option in laws.LAWS[law].options()}
     return {name: "flat" for name in ("yielding",) if "flat" in words.get(name, ())}
 

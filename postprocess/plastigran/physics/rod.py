@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Oblique impact of a rod with a spherical tip on a flat: rigid body and closed forms.
+"""Oblique impact of a rod with a spherical tip on a flat: rigid-body constants and closed forms.
 
-Planar rigid body of Ghaednia, Cermik & Marghitu 2015 (Int. J. Impact Eng. 86:307). x is along the
-flat, y is its normal, and the flat is y = 0. The rod leans by `angle`, with its center to the right
-of
-its tip. Angular velocities are counterclockwise, so an impact of the tip gives a negative one.
-`plastigran.physics.rod_motion` integrates the equations of motion.
+The rod is the planar rigid body of Ghaednia, Cermik & Marghitu 2015 (Int. J. Impact Eng. 86:307).
+The axis x is along the flat, y is its normal, and the flat is at y = 0. The rod makes the angle
+`angle` with the flat, and its center is to the right of its tip. Angular velocities are positive
+counterclockwise, and an impact of the tip makes them negative. `plastigran.physics.rod_motion`
+integrates the equations of motion.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from plastigran.declared import number, radius_field
 
 @attrs.frozen
 class Rod:
-    """Rod and its angle to the flat; the defaults are the paper's.
+    """Rod and its angle to the flat. The defaults are the values of the paper.
 
     The center of the tip and the far end are half a length from the center.
 
@@ -60,11 +60,10 @@ class Rod:
 
     @property
     def tip_mass(self) -> float:
-        """Mass of each end of three equal spheres that represent the rod [kg].
+        """Mass of each end sphere, if three spheres of equal radius represent the rod [kg].
 
-        The rest of the mass is in the middle sphere. Together, including the inertia of each
-        sphere,
-        they have the inertia of the rod.
+        The rest of the mass is in the middle sphere. The moment of inertia of the three spheres is
+        that of the rod.
         """
         return self.mass * (1 / 6 - 0.8 * (self.tip_radius / self.length) ** 2)
 
@@ -82,16 +81,15 @@ class Rod:
     def mass_eff(self) -> float:
         """Effective mass of the normal motion if the tip slides throughout [kg].
 
-        1/m_eff = 1/m + x_c (x_c - mu y_c)/I, with the rod at its position of first touch.
+        1/m_eff = 1/m + x_c (x_c - mu y_c)/I, for the position of the rod at first touch.
         """
         return 1 / self._compliance()
 
     def angular_velocity(self, impulse: float) -> float:
         """Return the angular velocity after a normal impulse [N s], in rad/s.
 
-        It is -(x_c - mu y_c)/I times the impulse, as for `mass_eff`. The impulse is m_eff v (1 +
-        e), or
-        the mass times the change of velocity of the center.
+        It is -(x_c - mu y_c)/I times the impulse, if the tip slides throughout. The impulse is
+        m_eff v (1 + e), or the mass times the change of the center's velocity along y.
         """
         x_c, y_c = self.arm
         return -(x_c - self.coefficient_of_friction * y_c) / self.inertia * impulse

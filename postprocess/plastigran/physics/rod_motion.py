@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Equations of motion of a rod's impact, for laws for spheres that depend only on overlap."""
+"""Equations of motion of a rod's impact, for laws for spheres without rate dependence."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from plastigran.physics.rod import Rod, RodOutcome
 #: Fraction of the impact speed below which the slip of the tip counts as zero.
 STICKING_SLIP = 1e-3
 
-#: Relaxation rate of a spring beyond the limit of friction, divided by the growth rate of the
-#: overlap.
+#: Rate at which a friction spring relaxes to the limit of friction, times largest overlap / impact
+#: speed.
 YIELDING_RATE = 1e3
 
 #: Number of turning points after which the tip is assumed to stay in contact.
@@ -29,10 +29,9 @@ class _Motion:
     """Right-hand side of the equations of motion.
 
     The variables are (x, y, turn, velocity_x, velocity_y, angular velocity, spring): displacement
-    and
-    rotation of the center since first touch, their rates, and the stretch of the friction spring.
-
-    `state` is the contact history at the last turning point. Trial steps of a solver use copies.
+    of the center and rotation since first touch, their rates, and the stretch of the friction
+    spring. `state` is the contact history at the last turning point of the overlap. Trial steps of
+    the solver use copies of it.
     """
 
     def __init__(self, rod: Rod, law, speed: float, shear_modulus_eff: float | None) -> None:
@@ -80,7 +79,7 @@ class _Motion:
             excess = (pull - friction) / stiffness if stiffness > 0 else 0.0
             return contact.force, friction, slip + self.yielding * excess
         arm_x, arm_y = self.arm(motion)
-        # Friction that keeps the slip constant: dv_T/dt = F_f (1/m + r_y^2/I) - F_n r_x r_y/I = 0.
+        # `holding` keeps the slip constant: dv_T/dt = F_f (1/m + r_y^2/I) - F_n r_x r_y/I = 0.
         holding = arm_x * arm_y * contact.force / (self.rod.inertia / self.rod.mass + arm_y**2)
         friction = holding - slip / self.sticking * limit
         return contact.force, min(max(friction, -limit), limit), 0.0
@@ -97,7 +96,7 @@ class _Motion:
         ]
 
     def turn_back(self, motion) -> None:
-        """Update the contact history at a largest overlap."""
+        """Update the contact history at a local maximum of the overlap."""
         self.contact(motion, self.state)
         low, high = 0.0, self.overlap(motion)
         while high - low > 1e-14 * self.overlap(motion):
@@ -125,15 +124,16 @@ class _Motion:
 def simulate(rod: Rod, law, speed: float, shear_modulus_eff: float | None = None) -> RodOutcome:
     """Integrate a rod's impact from first touch until the tip separates.
 
-    The equations are those of Ghaednia, Cermik & Marghitu 2015, eqs 1-7, with the two forces along
-    their own axes. r = (-x_c, -y_c) is the vector from center to contact, F_n the normal force and
-    F_f the friction: m x'' = F_f, m y'' = F_n - m g, I turn'' = r_x F_n - r_y F_f.
+    The equations are those of Ghaednia, Cermik & Marghitu 2015, eqs 1-7, but the normal force F_n
+    is along y and the friction F_f along x. With the vector r = (-x_c, -y_c) from the center to the
+    contact, they are m x'' = F_f, m y'' = F_n - m g, I turn'' = r_x F_n - r_y F_f.
 
-    Without a spring, friction is Coulomb's, as in the paper. A sliding tip has mu F_n against its
-    slip. A tip that friction can hold is held. Slip below `STICKING_SLIP` of the impact speed
-    returns to rest. With a spring, friction is LIGGGHTS' `tangential history`. The spring has the
-    stiffness 8 G* a, with the contact radius a of the law, and holds the tip up to the force
-    mu F_n.
+    Without a spring, friction is Coulomb's, as in the paper. It is mu F_n against the slip of a
+    sliding tip. A tip without slip stays at rest if friction can hold it. Slip below
+    `STICKING_SLIP` times the impact speed counts as rest.
+
+    With a spring, friction is LIGGGHTS' `tangential history`. The spring has the stiffness 8 G* a,
+    with the contact radius a of the law, and holds the tip up to the force mu F_n.
 
     Args:
         rod: Rod.

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Style of figures, and figures that several packages share."""
+"""Style of figures, and figures that several subpackages use."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Data of a chart. `plot.static` and `report.page.charts` draw it in figures and pages."""
+"""Data of a chart. `plot.static` draws it in figures, `report.page.charts` in HTML pages."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import numpy as np
 
 from plastigran.plot.quantities import Scale
 
-#: Color number of black on a light page and white on a dark one.
+#: Color number of black on a light page, or white on a dark page.
 INK = -1
 #: Line styles: the name in plotly, the style in matplotlib and the word in a sentence.
 DASHES = (
@@ -29,15 +29,15 @@ class Curve:
 
     Attributes:
         x, y: Values (N,) in SI units; x may also be words.
-        name: Name in the legend; curves of one name share an entry.
-        law: Law that gives the curve its color; "" for none.
+        name: Name in the legend; curves of the same name share an entry.
+        law: Law whose color the curve has; "" for none.
         colour: Index in `plastigran.plot.style.COLOURS`, for a curve without law.
-        look: "line", "points", "joined" (points on a line), "dashes" or "cross" (a mark at each
-            point), or "area" (stacked on the areas before it; areas with negative values are
-            stacked below zero).
+        look: "line", "points", "joined" (points joined by a line), "dashes" or "cross" (a dash or
+            cross at each point), or "area". Areas are stacked in the order of the curves; areas
+            with negative values are stacked below zero.
         dash: Index of the line style in `DASHES`.
         source: Source of the values, for example "theory".
-        remarks: Texts (N,) that an interactive chart shows at the points, instead of x and y.
+        remarks: Texts (N,) that an interactive chart shows at the points instead of x and y.
     """
 
     x: np.ndarray
@@ -65,7 +65,7 @@ class Panel:
         curves: Curves, in the order of the legend.
         logarithmic: Names of the logarithmic axes: "", "x", "y" or "xy".
         y_range: Ends of the y axis in the unit of `y`; None to fit the curves.
-        limits: Values of y that horizontal dotted lines mark, in SI units.
+        limits: Values of y marked by horizontal dotted lines, in SI units.
     """
 
     x: Scale

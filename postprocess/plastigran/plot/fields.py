@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Draw quadrilateral meshes and fields on them, also mirrored at the axis of symmetry."""
+"""Draw quadrilateral meshes and fields on them. Fields can be mirrored at the symmetry axis."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ def draw_field(
     Returns:
         The contours, for a color bar.
     """
-    # Split each quadrilateral along one diagonal; the choice hardly matters for smooth fields.
+    # Split each quadrilateral along a diagonal. For smooth fields, either diagonal will do.
     triangles = np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
     if mirror:
         count = len(vertices)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""VTK files of the frames of a run: find them and check that they are complete.
+"""Find the VTK files of the frames of a run, and check that they are complete.
 
-Needs pyvista, an optional dependency: `pip install pyvista`.
+This module needs pyvista, an optional dependency: `pip install pyvista`.
 """
 
 from __future__ import annotations
@@ -19,11 +19,11 @@ if TYPE_CHECKING:
 
 
 class SnapshotError(ValueError):
-    """A picture cannot be drawn; the message names the missing data or library."""
+    """Error of a picture that cannot be drawn. The message names the missing data or library."""
 
 
 class DamagedFrame(SnapshotError):
-    """A file of a frame is incomplete; the message names it."""
+    """Error of a frame with an incomplete file. The message names the file."""
 
     def __init__(self, path: Path) -> None:
         super().__init__(f"{path} is cut short or damaged")
@@ -32,7 +32,7 @@ class DamagedFrame(SnapshotError):
 
 @attrs.frozen
 class Frame:
-    """VTK files of one step of a run; None for files that do not exist.
+    """VTK files of one time step of a run; None for files that do not exist.
 
     Attributes:
         step: Time step number.
@@ -61,7 +61,7 @@ def find_frames(folder: str | Path) -> list[Frame]:
         folder = folder / "frames"
 
     def files_by_step(name: str) -> dict[int, Path]:
-        # A step number follows the name; other VTK files contain bounding boxes.
+        # Files of frames have a step number; LIGGGHTS also writes VTK files of bounding boxes.
         files = folder.glob(f"{name}_[0-9]*.vtk")
         return {int(path.stem.removeprefix(f"{name}_")): path for path in files}
 
@@ -92,7 +92,7 @@ def whole_frames(frames: Iterable[Frame]) -> list[Frame]:
         SnapshotError: No frame is complete.
 
     Warns:
-        UserWarning: A frame is left out; the message names the file.
+        UserWarning: A frame is omitted. The warning names its damaged file.
     """
     whole = []
     for frame in frames:
@@ -109,7 +109,7 @@ def whole_frames(frames: Iterable[Frame]) -> list[Frame]:
 
 
 def read_vtk(path: Path) -> pyvista.DataSet:
-    """Read a file of a frame. A file without points is valid; the warning of VTK is suppressed.
+    """Read a file of a frame. Files without points are valid; VTK's warning is suppressed.
 
     Raises:
         DamagedFrame: The file is incomplete.

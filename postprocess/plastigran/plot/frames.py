@@ -49,7 +49,7 @@ def _norms(vectors: np.ndarray) -> np.ndarray:
 
 
 def grain_values(frame: Frame, quantity: str) -> np.ndarray:
-    """Return the values of a quantity of `GRAIN_QUANTITIES` (n,); (0,) without grains.
+    """Return the values of a quantity of `GRAIN_QUANTITIES`, one for each grain (n,).
 
     Raises:
         DamagedFrame: A file is incomplete.
@@ -79,7 +79,7 @@ def contact_forces(frame: Frame) -> np.ndarray:
 
 @attrs.frozen(eq=False)
 class GrainFrame:
-    """Grains and walls of one step.
+    """Grains and walls of one time step.
 
     Attributes:
         step: Time step number.
@@ -101,7 +101,7 @@ class GrainFrame:
 
 
 def read_frame(frame: Frame) -> GrainFrame:
-    """Read the VTK files of a step.
+    """Read the VTK files of a time step.
 
     Raises:
         DamagedFrame: A file is incomplete.
@@ -110,7 +110,7 @@ def read_frame(frame: Frame) -> GrainFrame:
     grains, walls = read_vtk(frame.grains), np.empty((0, 3, 3))
     if frame.mesh and (mesh := read_vtk(frame.mesh)).n_cells:
         walls = np.asarray(mesh.points, float)[mesh.regular_faces]
-    if not grains.n_points:  # skip the check of columns: a file without grains has none
+    if not grains.n_points:  # a file without grains has no columns to check
         none = np.zeros(0)
         return GrainFrame(frame.step, np.empty((0, 3)), none, none, none, none, walls)
     if missing := {"radius", "v", "id"} - set(grains.point_data):
@@ -129,7 +129,7 @@ def read_frame(frame: Frame) -> GrainFrame:
 
 
 def read_frames(frames: Iterable[Frame]) -> tuple[list[GrainFrame], list[Path]]:
-    """Read frames; for an incomplete frame, return the damaged file instead.
+    """Return the complete frames, and the damaged files of the others.
 
     Raises:
         SnapshotError: As for `read_frame`.
@@ -144,14 +144,14 @@ def read_frames(frames: Iterable[Frame]) -> tuple[list[GrainFrame], list[Path]]:
 
 
 def _largest_forces(frame: Frame, positions: np.ndarray) -> np.ndarray:
-    """Return the largest contact force on each grain; contact lines end in the grain centers."""
+    """Return the largest contact force on each grain, found by the ends of the contact lines."""
     from scipy.spatial import cKDTree
 
     largest, forces = np.zeros(len(positions)), contact_forces(frame)
     if len(forces):
         ends = np.asarray(read_vtk(frame.contacts).points, float).reshape(-1, 3)
-        # Skip the ends of contacts through a periodic side, which are not at grain centers. The
-        # tolerance is needed because coordinates have six digits.
+        # A contact line ends at grain centers, except across a periodic boundary. Omit these ends.
+        # The tolerance is needed because coordinates have six digits.
         distance, grain = cKDTree(positions).query(ends)
         at_grain = distance < 1e-4 * np.ptp(positions, axis=0).max()
         np.maximum.at(largest, grain[at_grain], np.repeat(forces, 2)[at_grain])

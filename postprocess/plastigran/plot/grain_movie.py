@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Movie of the VTK frames of a run, as MP4 or GIF. Needs pyvista and imageio, and av for MP4."""
+"""Movie of the VTK frames of a run. GIF files need pyvista and imageio, MP4 files also av."""
 
 from __future__ import annotations
 
@@ -25,9 +25,9 @@ def save_grain_movie(
     rate: float = 10.0,
     progress: bool = True,
 ) -> None:
-    """Draw frames into a movie, all with the same view and color scale.
+    """Draw a movie of frames with one view and one color scale.
 
-    A frame without grains shows only the walls. Incomplete frames are left out.
+    A frame without grains shows only the walls. Incomplete frames are omitted.
 
     Args:
         frames: Frames in order.
@@ -37,11 +37,11 @@ def save_grain_movie(
         progress: Whether to show a progress bar.
 
     Raises:
-        SnapshotError: As for `draw`; or the file type is unknown, no frame has grains, no frame has
+        SnapshotError: As for `draw`. Also if the file type is unknown, no frame has grains or
             contacts, or a library is not installed.
 
     Warns:
-        UserWarning: A frame is left out; the message names the file.
+        UserWarning: A frame is omitted. The warning names its damaged file.
     """
     path = Path(path)
     writers = {

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Parts of figures of flowing grains: a picture of the grains, and mean power."""
+"""Picture of grains, and mean power from accumulated work, for figures of flowing grains."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ from matplotlib.collections import EllipseCollection
 
 
 def draw_grains(axes: Axes, grains: pd.DataFrame, colours: str | None = None) -> EllipseCollection:
-    """Draw grains to scale as seen along y; near grains cover far ones.
+    """Draw grains to scale as seen along y. Near grains cover far grains.
 
     Args:
         axes: Axes to draw in; they get equal scales and no frame.
         grains: Columns x, y, z, radius [m], and the column of the colors.
-        colours: Column that sets the colors; gray without one.
+        colours: Column that gives the colors; None for gray.
 
     Returns:
         The discs, for a color bar.
@@ -46,10 +46,12 @@ def mean_power(work: pd.Series, time: pd.Series, window: float) -> pd.Series:
     Args:
         work: Accumulated work (n,), J.
         time: Evenly spaced times (n,), s.
-        window: Length of the window [s]; it is rounded to rows, at most a quarter of them.
+        window: Length of the window [s], rounded to whole rows. It has at most a quarter of the
+            rows.
 
     Returns:
-        One value for each window (m,), m < n, indexed by the time of its middle [s].
+        One value for each window (m,), m < n. The index is the time at the middle of the window
+        [s].
     """
     rows = max(1, min(round(window / (time.iloc[1] - time.iloc[0])), len(time) // 4))
     work, time = work.to_numpy(), time.to_numpy()

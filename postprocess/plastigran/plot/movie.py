@@ -20,7 +20,7 @@ class Movie:
     Attributes:
         figure: Figure to draw in.
         frames: Number of frames.
-        draw: Function `draw(number)` that changes the figure to a frame.
+        draw: Function `draw(number)` that draws the frame of this number in the figure.
         rate: Frames per second.
     """
 

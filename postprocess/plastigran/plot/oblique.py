@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figure of oblique impacts over the normalized angle of Maw, Barber & Fawcett (1976)."""
+"""Figure of oblique impacts versus the normalized angle of Maw, Barber & Fawcett (1976)."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ PANELS = {
 
 @styled()
 def oblique_figure(table: pd.DataFrame) -> Figure:
-    """Draw restitution, spin and rebound angle, a line for each tangential law.
+    """Draw tangential restitution, spin and rebound angle, a curve for each tangential law.
 
     Args:
         table: Columns tangential, normalized_angle and those of `PANELS`.

@@ -90,10 +90,10 @@ def words(column: str) -> str:
 
 
 def scale(column: str, values: object) -> Scale:
-    """Return the axis of a column, with a prefix that brings its largest value to 1 to 1000.
+    """Return the axis of a column. Its SI prefix makes the largest value 1 to 1000.
 
     Args:
-        column: Name of the column. A column without known unit keeps its numbers.
+        column: Name of the column. A column whose unit is unknown gets no prefix.
         values: Numbers in SI units; infinite values and NaN are ignored.
     """
     name, unit = QUANTITIES.get(column, (words(column), "as in the log"))
@@ -104,7 +104,7 @@ def scale(column: str, values: object) -> Scale:
 
 
 def prefix(values: object) -> tuple[str, float]:
-    """Return the prefix that brings the largest absolute value to 1 to 1000, and its factor.
+    """Return the SI prefix that makes the largest absolute value 1 to 1000, and its factor.
 
     Prefixes range from p to G. If all values are zero, there is no prefix and the factor is 1.
 

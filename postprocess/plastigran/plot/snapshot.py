@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Pictures of the VTK frames of a run: grains, force chains and meshes, drawn without a screen.
 
-Needs pyvista, an optional dependency: `pip install pyvista`.
+This module needs pyvista, an optional dependency: `pip install pyvista`.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from plastigran.plot.frames import GRAIN_QUANTITIES, contact_forces, grain_value
 if TYPE_CHECKING:
     import pyvista
 
-#: Views: the side of the camera and the upward direction.
+#: For each view, the direction from the grains to the camera, and the upward direction.
 VIEWS = {
     "front": ((0, -1, 0), (0, 0, 1)),
     "side": ((1, 0, 0), (0, 0, 1)),
@@ -37,7 +37,7 @@ SCALE_BAR = {
     "title_font_size": 22,
     "label_font_size": 20,
 }
-#: Values at the ends of a color scale; None to use the range of the frame.
+#: Values at the ends of a color scale; None for the range of the frame.
 Span = tuple[float, float] | None
 
 
@@ -57,13 +57,13 @@ def draw(
         frame: Frame to draw.
         path: Name of the file; None for no file.
         colour: Quantity that colors the grains, a key of `GRAIN_QUANTITIES`.
-        contacts: Whether to draw force chains instead: tubes whose thickness and color show the
-            force.
+        contacts: Whether to draw contacts instead of grains, as tubes whose thickness and color
+            show the force.
         view: Direction of view, a key of `VIEWS`.
         size: Pixels along x and y.
-        span: Values at the ends of the color scale, by default those of the frame. With a span, a
-            frame may have no grains or contacts.
-        bounds: Bounds of the view along x, y and z [m]; by default those of the frame.
+        span: Values at the ends of the color scale, by default the range of the frame. If it is
+            given, a frame without grains or contacts is allowed.
+        bounds: Bounds of the view along x, y and z [m], by default those of the frame.
 
     Raises:
         SnapshotError: The color or view is unknown, data are missing, or pyvista is not installed.
@@ -110,7 +110,7 @@ def _add_contacts(plotter: pyvista.Plotter, frame: Frame, span: Span) -> None:
     lines, grains = read_vtk(frame.contacts), read_vtk(frame.grains)
     if not span and not grains.n_points:
         raise SnapshotError(f"{frame.grains} contains no grains")
-    # Leave out contacts through a periodic side, whose lines would cross the whole box.
+    # Omit contacts across a periodic boundary, because their lines would cross the whole box.
     ends = lines.points.reshape(-1, 2, 3)
     lengths = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
     radius = float(grains["radius"].max()) if grains.n_points else 0.0
@@ -125,7 +125,8 @@ def _add_contacts(plotter: pyvista.Plotter, frame: Frame, span: Span) -> None:
         ends[shown].reshape(-1, 3), lines=np.insert(np.arange(2 * len(shown)), slice(0, None, 2), 2)
     )
     chains[scale.axis] = scale.factor * np.repeat(force[shown], 2)
-    # The cross section is proportional to the force; the thickest tube is a third of a grain.
+    # The cross section is proportional to the force. The thickest tube has a third of the radius
+    # of a grain.
     chains["thickness"] = radius / 3 * np.sqrt(np.repeat(force[shown], 2) / largest)
     tubes = chains.tube(scalars="thickness", absolute=True, n_sides=8, capping=True)
     _add_coloured(plotter, tubes, scale, "inferno_r")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figure of collision spectra: number of impacts by speed, energy and force."""
+"""Figure of collision spectra: number of impacts versus speed, energy and force."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ from plastigran.plot.style import COLOURS, styled, subplots
 def spectra_figure(spectra: Mapping[str, Mapping[str, pd.DataFrame]]) -> Figure:
     """Draw the number of impacts per class: a panel for each quantity, a curve for each partner.
 
-    Classes that are not positive are left out, because axes are logarithmic. Classes below the
-    round-off of the largest value are left out, because they mean zero loss.
+    Classes that are not positive are omitted, because the axes are logarithmic. Classes below the
+    round-off of the largest value are omitted, because they contain impacts without loss.
 
     Args:
-        spectra: Axis title, then partner (particles or a wall), to a table with columns lower,
-            upper and count, sorted by class.
+        spectra: Tables by axis title and partner (particles or a wall). Their columns are lower,
+            upper and count; they are sorted by class.
     """
     with styled():
         figure, panels = subplots(1, len(spectra), figsize=(10.5, 3.4), sharey=True)

@@ -17,7 +17,8 @@ def draw(axes: Axes, panel: Panel, colours: Sequence[object] = ()) -> None:
     Args:
         axes: Axes to draw in.
         panel: Data to draw.
-        colours: Colors of the curves, one for each; by default the law or `Curve.colour` decides.
+        colours: Colors of the curves, one for each; by default the color of the law, or
+            `Curve.colour`.
     """
     areas = [curve for curve in panel.curves if curve.look == "area"]
     for below in (False, True):

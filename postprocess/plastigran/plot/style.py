@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Style of figures: settings, colors, names and files."""
+"""Style of figures: settings of matplotlib, colors, titles and files."""
 
 from __future__ import annotations
 
@@ -21,8 +21,8 @@ STYLE = {
     "legend.frameon": False,
     "svg.hashsalt": "plastigran",
 }
-# Colors that color-blind readers can distinguish (Okabe & Ito, then Tol's muted), one for each law
-# of a shape, and gray. Black is for reference data. `law_number` selects the color of a law.
+# Colors that color-blind readers can distinguish (Okabe & Ito, then Tol's muted): one for each law
+# of a family, see `law_number`, and gray for unknown laws. Black is for reference data.
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#8C564B", "#DC267F"]
 COLOURS += ["#882255", "#999933", "#332288", "#44AA99", "#661100", "#AA4499"]
 COLOURS += ["#117733", "#7F7F7F"]
@@ -45,8 +45,8 @@ def title(name: str) -> str:
 def law_number(law: str) -> int:
     """Return the index of a law in `COLOURS` and `MARKERS`, the same in every figure.
 
-    Laws for one shape of bodies have different indices. Laws that attract, or are plastic from
-    first touch, are counted apart. Unknown laws are gray.
+    Laws of one family have different indices. The laws for one shape of bodies form two families:
+    laws without adhesion that are elastic at first touch, and all others. Unknown laws are gray.
     """
     # Imported here, because figures without laws do not need the compiled module.
     from plastigran import laws

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Write frames as XML files of VTK, and a file that lists them by time.
 
-ParaView opens the list (.pvd). OVITO and ParaView open the files (.vtp). Needs pyvista.
+ParaView opens the list (.pvd). OVITO and ParaView open the files (.vtp). This module needs pyvista.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ import numpy as np
 
 from plastigran.plot.frame_files import Frame, read_vtk
 
-#: Column names in the files of LIGGGHTS, and their names in the written files; SI units.
+#: For columns of the files of LIGGGHTS, their names in the written files. All are in SI units.
 GRAINS = {"v": "velocity", "f_plastic_work": "plastic_work"}
 CONTACTS = {"delta": "overlap"}
 
@@ -22,7 +22,7 @@ CONTACTS = {"delta": "overlap"}
 def contact_table(frame: Frame) -> dict[str, np.ndarray]:
     """Return the columns of the contacts of a frame, each (N,) or (N, 3).
 
-    Columns are id1, id2, overlap [m], radius_eff [m] and the others of the file.
+    They are id1, id2, overlap [m], radius_eff [m] and the other columns of the file.
     """
     contacts, grains = read_vtk(frame.contacts), read_vtk(frame.grains)
     if not contacts.n_cells:
@@ -50,7 +50,7 @@ def write_grains(frame: Frame, path: Path) -> None:
 def write_contacts(frame: Frame, path: Path, more: Mapping[str, np.ndarray]) -> None:
     """Write the contacts of a frame as lines.
 
-    Columns are id1, id2, overlap [m], force, force_normal, force_tangential [N] and those of
+    Columns are id1, id2, overlap [m], force, force_normal, force_tangential [N] and the columns
     `more`, each (N,).
     """
     contacts = read_vtk(frame.contacts)

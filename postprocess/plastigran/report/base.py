@@ -34,9 +34,9 @@ RESOLUTION = 100  # resolution of figures, dots per inch; keeps the pictures of 
 class Findings:
     """Computed tables, figures and movies by name.
 
-    A row of a table is one quantity. Columns `quantity` and `unit`, or others, identify it. Columns
-    of numbers follow, such as `paper`, `finite elements`, the name of a law, or `LIGGGHTS`. The
-    name of a difference ends in "(%)", see `add_difference`.
+    A row of a table contains one quantity. The first columns identify it, such as `quantity` and
+    `unit`. Columns of numbers follow, such as `paper`, `finite elements`, the name of a law, or
+    `LIGGGHTS`. Names of columns of differences end in "(%)", see `add_difference`.
     """
 
     tables: Mapping[str, pd.DataFrame]
@@ -60,7 +60,7 @@ class Evidence:
 
     Attributes:
         name: Short name, as in its command.
-        title: Subject.
+        title: Title of the results.
         tables, figures, movies: Names of the results.
         data: Names of further tables, which no page shows.
         pages: Names of the page files; together they have one place for each of `tables`.
@@ -89,11 +89,11 @@ class Evidence:
 
         Args:
             progress: Whether to show progress bars.
-            coarse: Use coarse meshes and fewer cases. This takes some seconds; results are off by
-                some per cent.
+            coarse: Whether to use coarse meshes and fewer cases. This takes some seconds, with
+                errors of some per cent.
 
         Raises:
-            ValueError: A computation failed, or the results are not those declared.
+            ValueError: A computation failed, or the names of the results are not as declared.
             EngineError: LIGGGHTS stopped with an error.
         """
         findings = self.compute(progress, coarse)
@@ -108,7 +108,8 @@ class Evidence:
 def add_difference(table: pd.DataFrame, of: str, against: str) -> pd.DataFrame:
     """Return the table with a column of differences after column `of`.
 
-    The difference from column `against` is in per cent of the latter; empty where it has no value.
+    The difference of column `of` from column `against` is in per cent of `against`. It is empty
+    where `against` has no value.
     """
     position = table.columns.get_loc(of) + 1
     values, references = (table[name].astype(float) for name in (of, against))

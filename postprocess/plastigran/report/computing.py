@@ -36,7 +36,7 @@ def compute_all(
     results: dict[Key, Any] = {}
     pool = ProcessPoolExecutor(
         os.cpu_count(),
-        # Not fork, which is unsafe because this process may have threads.
+        # Fork is unsafe, because this process may have threads.
         mp_context=get_context("spawn"),
         initializer=_start_worker,
         initargs=(folder(),),
@@ -62,7 +62,7 @@ def compute_all(
 def _start_worker(cache: Path) -> None:
     """Prepare a worker: set the folder of the cache, and print warnings as plain lines.
 
-    The worker ends with the process that started it, and at once on Ctrl-C.
+    The worker ends when the process that started it ends, and immediately on Ctrl-C.
     """
     signal.signal(signal.SIGINT, signal.SIG_DFL)
     os.environ["PLASTIGRAN_CACHE"] = str(cache)
@@ -71,7 +71,7 @@ def _start_worker(cache: Path) -> None:
 
 
 def _end_with_parent() -> None:
-    # End with the parent: if the parent is killed, it does not close the pool, and an idle worker
-    # would wait forever.
+    # A parent process that is killed does not close the pool. Without this thread, an idle worker
+    # would then wait forever.
     parent_process().join()
     os._exit(1)

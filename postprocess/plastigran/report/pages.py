@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Write tables and pictures into the pages that show evidence.
 
-A table stands between the lines `<!-- table NAME -->` and `<!-- end -->`. A page shows the tables
-that it has places for; all are written as CSV files.
+A table is written between the lines `<!-- table NAME -->` and `<!-- end -->` of a page. Tables
+without such a place are only written as CSV files.
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ def read_tables(text: str) -> dict[str, pd.DataFrame]:
 
 
 def fill(text: str, tables: Mapping[str, pd.DataFrame]) -> str:
-    """Return the text of a page with the tables in their places."""
+    """Return the text of a page with the tables written into their places."""
     return PLACE.sub(lambda place: place[1] + to_markdown(tables[place[2]]) + place[4], text)
 
 
@@ -65,8 +65,9 @@ def publish(
     Args:
         evidence: Evidence with the names of the pages.
         findings: Results, with the tables to write.
-        written: Files that `findings.write` wrote; pictures are copied.
-        folder: Folder of the pages; pictures go to `evidence.pictures` relative to it.
+        written: Files that `findings.write` wrote. The pictures among them are copied.
+        folder: Folder of the pages. `evidence.pictures`, the folder of the pictures, is relative to
+            it.
 
     Raises:
         ValueError: As for `read_pages`.
@@ -80,7 +81,7 @@ def publish(
 
 
 def to_markdown(table: pd.DataFrame) -> str:
-    """Return a table in Markdown: four digits, differences in per cent with two decimals."""
+    """Return a table in Markdown: numbers with four digits, percentages with two decimals."""
     lines = [list(table.columns), ["---"] * len(table.columns)]
     for row in table.itertuples(index=False):
         lines.append([_cell(name, value) for name, value in zip(table.columns, row, strict=True)])

@@ -16,10 +16,10 @@ from skfem.helpers import dot
 from plastigran.fem.material.elastic_plastic import ElasticPlastic, Response, State
 from plastigran.fem.material.kinematics import SmallStrain
 
-# Order for 2 x 2 Gauss points, which avoid locking in volume-preserving plastic flow.
+# Integration order of 2 x 2 Gauss points, which avoid locking in volume-preserving plastic flow.
 STIFFNESS_ORDER = 3
 MASS_ORDER = 5  # order for 3 x 3 Gauss points; with 2 x 2, the mass matrix would be singular
-# displacement components that are zero on each boundary of the mesh
+# Displacement components that are zero on each boundary of the mesh.
 FIXED = {"axis": "u^1", "equator": "u^2", "base": ["u^1", "u^2"]}
 
 
@@ -65,7 +65,7 @@ class Body:
         radius = np.asarray(radius)
         self.volumes = np.ascontiguousarray(self.thickness(radius) * vector.dx)
         gradients = _gradient_matrices(scalar, 1 / radius if length is None else 0 * radius)
-        # Strain measures per nodal displacement (n_elements, 4 points * n_components, 16).
+        # Matrices from nodal displacements to strain measures (n_elements, 4 * n_components, 16).
         self._matrices = kinematics.matrices(gradients).reshape(len(self.dofs), -1, 16)
         self._undeformed = kinematics.undeformed(material.elastic_tangent)
         self.elastic_stiffness = self._stiffness(
@@ -130,7 +130,7 @@ class Body:
     def stiffness(self, displacement: np.ndarray, response: Response) -> np.ndarray:
         """Return element stiffness matrices (n_elements, 16, 16), N/m, for displacements, m.
 
-        Matrices equal to those of the undeformed body are not computed again.
+        Elements whose matrix is that of the undeformed body are not computed again.
         """
         changed, changed_tangent = self.kinematics.tangent(
             self._measure(displacement), response, self.material.elastic_tangent

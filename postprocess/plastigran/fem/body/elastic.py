@@ -51,7 +51,7 @@ class ElasticBody:
         scale = self.stiffness.diagonal().sum() / self.mass_matrix.diagonal().sum()
         squares, shapes = eigsh(
             self.stiffness,
-            k=count + 1,  # one additional mode: the rigid-body motion along the axis
+            k=count + 1,  # one more mode, because the rigid-body motion along the axis is removed
             M=self.mass_matrix,
             sigma=-1e-8 * scale,  # small shift, because the stiffness matrix is singular
         )
@@ -66,7 +66,7 @@ class ElasticBody:
         displacement: np.ndarray,
         velocity: np.ndarray,
     ) -> np.ndarray:
-        """Return the energy of each vibration (count,), J, in a displacement and velocity."""
+        """Return the energy of each vibration (count,), J, for a displacement and a velocity."""
         amplitude = shapes.T @ (self.mass_matrix @ displacement)
         rate = shapes.T @ (self.mass_matrix @ velocity)
         return (rate**2 + (2 * pi * frequencies * amplitude) ** 2) / 2

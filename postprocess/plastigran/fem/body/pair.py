@@ -14,7 +14,7 @@ class Pair:
     """Sphere and the block below it, with the attributes and methods of one `Body`.
 
     Degrees of freedom, elements and Gauss points of the sphere come first. `upward`, `mass` and the
-    motion of the center of mass are those of the sphere. Energies are those of both bodies.
+    motion of the center of mass belong to the sphere. Energies are sums over both bodies.
 
     Attributes:
         sphere: Upper body.

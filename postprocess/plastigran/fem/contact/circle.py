@@ -3,9 +3,9 @@
 
 The center of the circle adds two degrees of freedom; the circle does not rotate. d is the vector
 from the center to a point of the deformed surface, n = d/|d| the normal and g = |d| - R the gap.
-The surface has the pressure p = k <-g> along n. The trial traction along the tangent t is the
-traction of the last equilibrium minus k times the slip since then. The traction is at most mu p
-(Wriggers, Computational Contact Mechanics, 2006, sec. 5.2).
+The pressure on the surface is p = k <-g> along n, where <x> is max(x, 0). The trial traction along
+the tangent t is the traction of the last equilibrium minus k times the slip since then. The
+traction is limited to mu p (Wriggers, Computational Contact Mechanics, 2006, sec. 5.2).
 """
 
 from __future__ import annotations
@@ -83,7 +83,7 @@ class RigidCircle:
         self._areas = edges.areas
         self._stiffness = penalty * body.material.plane_modulus / edges.lengths[:, None]
         self._radius, self._friction = radius, coefficient_of_friction
-        # With an axis of symmetry, the drag is zero, because the two halves cancel.
+        # With an axis of symmetry, the drag is zero, because the forces on the two halves cancel.
         self._drag_and_force = np.array([0.0 if "axis" in mesh.boundaries else 1.0, 1.0])
         self.coordinates = edges.first.ravel()
         self.start = start
@@ -109,7 +109,8 @@ class RigidCircle:
         nodal = np.bincount(self.dofs.ravel(), nodal.ravel(), minlength=self._size)
         drag, force = nodal[self._center] * self._drag_and_force
 
-        # Derivatives of pressure and shear by distance, and of traction by these.
+        # Derivatives of pressure and shear with respect to distance, and of traction with respect
+        # to pressure and shear.
         by_distance = -closed[:, :, None] * normal
         slip_by_distance = 1 - np.einsum("eqi,eqi->eq", normal, motion) / length
         sticks = np.abs(trial) < limit
@@ -142,9 +143,9 @@ class RigidCircle:
         )
 
     def surface(self, displacement: np.ndarray) -> np.ndarray:
-        """Return (x, y) of the Gauss points at displacements (size,), m, as (n_points, 2), m.
+        """Return (x, y) of the Gauss points (n_points, 2), m, at displacements (size,), m.
 
-        x is measured from the start of the circle.
+        x is measured from the initial position of the circle.
         """
         fixed_center = displacement.copy()
         fixed_center[self._center] = 0
@@ -156,9 +157,9 @@ class RigidCircle:
         return self._edges.mean(self.coordinates), self._edges.mean(touch.pressure)
 
     def ends(self, gap: np.ndarray) -> tuple[float, float]:
-        """Return the first and last coordinate in contact, m; zeros without contact.
+        """Return the coordinates of both ends of the contact, m; zeros without contact.
 
-        At an axis of symmetry, the first is the mirror image of the last.
+        With an axis of symmetry, the first end is the mirror image of the last.
         """
         last = contact_edge(self.coordinates, gap)
         if self.coordinates[0] >= 0:

@@ -8,7 +8,8 @@ from skfem import ElementQuadS2, ElementVector, FacetBasis
 
 from plastigran.fem.body.body import Body
 
-# Order for three Gauss points per edge; with fewer, the force oscillates when edges open.
+# Integration order of three Gauss points per edge. With fewer, the force oscillates while edges
+# open.
 EDGE_ORDER = 5
 
 

@@ -16,7 +16,7 @@ from plastigran.fem.contact.plane import PENALTY, RigidPlane
 
 
 class HalfSpace(RigidPlane):
-    """Surface of the lower body of a pair. Its height is that of the base, far below.
+    """Surface of the lower body of a pair. `height` is the height of the base, far below.
 
     Attributes:
         dofs: Vertical degrees of freedom of the sphere's edge and of the surface, for each Gauss
@@ -26,7 +26,7 @@ class HalfSpace(RigidPlane):
     def __init__(self, pair: Pair, radius: float, reach: float, penalty: float = PENALTY) -> None:
         """Pair the Gauss points of the sphere with the surface.
 
-        Arguments are as for `RigidPlane`; the penalty refers to E* of both bodies.
+        Arguments are as for `RigidPlane`. The penalty is in units of E*/h with E* of both bodies.
         """
         sphere, block = pair.sphere, pair.block
         modulus = sphere.material.pair_modulus(block.material)

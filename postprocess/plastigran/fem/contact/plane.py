@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """A rigid frictionless plane under a sphere: penalty at the Gauss points of the surface.
 
-The undeformed surface is the exact circle, not the elements: the gap at radius r is
-R - sqrt(R^2 - r^2) + u_y - h for a plane at height h. Pressures act on the horizontal projection
+The undeformed surface is the exact circle instead of the edges of the elements: the gap at radius r
+is R - sqrt(R^2 - r^2) + u_y - h for a plane at height h. Pressures act on the horizontal projection
 of the surface.
 """
 
@@ -14,7 +14,7 @@ import numpy as np
 from plastigran.fem.body.body import Body
 from plastigran.fem.contact.edges import Edges, contact_edge
 
-# Number of nodes of an edge of the sphere, first in `dofs`; nodes of a half space follow.
+# Number of nodes of an edge of the sphere. They come first in `dofs`; nodes of a half space follow.
 EDGE_NODES = 3
 PENALTY = 50.0  # penalty stiffness divided by E*/h, with the edge length h
 
@@ -45,8 +45,8 @@ class PlaneTouch(Touch):
     """Contact state with a plane.
 
     Attributes:
-        radii: Distances of the Gauss points from the axis (n_points,), m; undeformed in small
-            strain.
+        radii: Distances of the Gauss points from the axis (n_points,), m; in small strain, those of
+            the undeformed body.
         widening: Deformed / undeformed area of each edge (n_edges,); 1 in small strain.
     """
 
@@ -123,7 +123,7 @@ class RigidPlane:
         return mean(touch.radii), mean(touch.pressure) / touch.widening
 
     def spread(self, stiffness: np.ndarray) -> np.ndarray:
-        """Return the forces (size,) for a unit rise of the plane from edge stiffnesses, N/m."""
+        """Return the forces per unit rise of the plane (size,), N/m, from edge stiffnesses."""
         return self._scatter(stiffness[:, :, :EDGE_NODES].sum(axis=2))
 
     def _scatter(self, nodal: np.ndarray) -> np.ndarray:

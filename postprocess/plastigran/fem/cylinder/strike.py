@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Impact of a rigid cylinder on an elastic-plastic body in plane strain, head-on or sliding.
 
-Implicit dynamics of body and cylinder, as for the sphere. The body is half a disc with a fixed arc.
-Its radius is the thickness in Johnson's approach of a line contact (Contact Mechanics, 1985,
-sec. 5.6), or so large that no wave returns from the arc during the contact.
+The computation is implicit dynamics of body and cylinder, as for the sphere. The body is half a
+disc with a fixed arc. The radius of the disc is the thickness in Johnson's approach of a line
+contact (Contact Mechanics, 1985, sec. 5.6), or so large that no wave returns from the arc during
+the contact.
 """
 
 from __future__ import annotations
@@ -23,13 +24,13 @@ from plastigran.progress import ProgressBar
 
 SHARES = (1.0, 0.5, 0.25, 0.1)  # fractions of the Newton change that the line search tries
 LONGEST = 4.0  # time limit of an impact / elastic contact duration
-# largest sliding distance per step / element length; with larger steps, Newton's method fails
+# Largest sliding distance per step / element length. With larger steps, Newton's method fails.
 STRIDE = 0.3
 TRACK_MARGIN = 1.2  # factor on the sliding distance during an elastic contact
 
 
 class StrikeEquations(Equations):
-    """Balance of forces of a body and a circle on it."""
+    """Balance of forces of a body and a circle on its surface."""
 
     body: StruckBody
     contact: RigidCircle
@@ -50,8 +51,8 @@ class StrikeEquations(Equations):
     ) -> tuple[np.ndarray, Balance]:
         """Return the first iterate along the change that improves the balance of forces.
 
-        The full change often fails, because points come into contact and start to flow as the
-        circle slides. The smallest fraction is taken even without improvement.
+        The full change often fails, because points come into contact and start to flow while the
+        circle slides. If no fraction of the change improves the balance, the smallest is used.
 
         Raises:
             NoConvergence: Even the smallest fraction turns an element inside out.
@@ -91,7 +92,7 @@ def equations(case: CylinderStrike, settings: Settings) -> StrikeEquations:
             divisions=settings.divisions,
             fineness=settings.fineness,
         )
-        # Half of the body with twice the length represents the whole.
+        # Compute half of the body with twice the length, because of symmetry.
         length, start = 2 * case.length, 0.0
         track = (0.0, 2 * reach)
     body = StruckBody(block.build(), case.material, length, case.mass, settings.kinematics)

@@ -26,10 +26,11 @@ class Strike:
     Attributes:
         case: Input.
         history: One row per step: time s, force N (upward on the cylinder), drag N (on the
-            cylinder, along its motion), approach m (of its lowest point below the surface), way m
-            (along the surface), velocity m/s (upward), sliding_velocity m/s and half_width m (of
-            the contact). Further columns are plastic_top m and plastic_bottom m (depths of the
-            first and last yielded point; NaN before yield), energies J and friction_work J.
+            cylinder, along its motion), approach m (depth of its lowest point below the surface),
+            way m (travel along the surface), velocity m/s (upward), sliding_velocity m/s and
+            half_width m (of the contact). Further columns are plastic_top m and plastic_bottom m
+            (depths of the shallowest and deepest yielded point; NaN before yield), energies J and
+            friction_work J.
         coefficient_of_restitution: Separation speed / approach speed.
         force_max: Largest force, N.
         overlap_max: Largest approach, m.
@@ -37,14 +38,14 @@ class Strike:
         residual_depth: Depth of the deepest point of the surface at rest, m.
         contact_time: Duration of the contact, s.
         yield_force: Force at first yield, N; NaN without yield.
-        yield_point: Point of first yield (x from the circle's lowest point, depth), divided by the
-            half width (2,).
-        surface: (x, y) of the surface at rest after the impact (n_points, 2), m; x from first
-            touch.
+        yield_point: Point of first yield (2,), divided by the half width of the contact: x from the
+            circle's lowest point, and depth.
+        surface: (x, y) of the surface at rest after the impact (n_points, 2), m; x is measured from
+            the point of first touch.
         start: First coordinate of first touch in the mesh, m.
         snapshots: Fields by name: `yield` (at first yield, if any), `deepest`, `end` (of contact).
-        stopped: Reason of an early end, with NaN for restitution, residual values and contact time;
-            otherwise empty.
+        stopped: Reason of an early end; otherwise empty. After an early end, restitution, residual
+            values and contact time are NaN.
     """
 
     case: CylinderStrike
@@ -134,9 +135,9 @@ class StrikeLog:
     def _surface_at_rest(self) -> np.ndarray:
         """Return (x, y) of the track's surface (n_points, 2), m, when the body is at rest.
 
-        Waves decay elastically: one linear solution with the undeformed stiffness removes the
-        forces of the last stresses. In finite strain this is an approximation. Further yielding is
-        ignored.
+        The waves are assumed to decay elastically, without further yield. Therefore one linear
+        solution with the undeformed stiffness removes the forces of the last stresses. In finite
+        strain, this is an approximation.
         """
         body, state = self.body, self.flight.now.state
         fixed = np.concatenate([body.fixed, body.center])
@@ -145,7 +146,7 @@ class StrikeLog:
         return self.circle.surface(state.displacement - waves)
 
     def summary(self, case: CylinderStrike, stopped: str) -> Strike:
-        """Return the outcome of an impact that has ended, or stopped for a reason."""
+        """Return the outcome of an impact; `stopped` is the reason of an early end, or empty."""
         history = pd.DataFrame(self.rows)
         force, time, approach = (history[name].to_numpy() for name in ("force", "time", "approach"))
         end = nan if stopped else end_of_contact(time, force, 1)

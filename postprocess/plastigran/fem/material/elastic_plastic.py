@@ -2,8 +2,8 @@
 """Small-strain von Mises plasticity with isotropic hardening, integrated by radial return.
 
 Strains and stresses are columns (rr, yy, tt, ry) with engineering shear strain; t is the
-circumferential direction. The return is backward Euler with its consistent tangent (Simo and
-Hughes, Computational Inelasticity, 1998, box 3.2).
+circumferential direction. The return mapping is backward Euler with its consistent tangent (Simo
+and Hughes, Computational Inelasticity, 1998, box 3.2).
 """
 
 from __future__ import annotations
@@ -76,13 +76,13 @@ class Response:
     tangent: np.ndarray
 
     def elastic(self) -> Response:
-        """Return the response without flow, for a load reversal."""
+        """Return the same response with elastic tangents, for a load reversal."""
         return attrs.evolve(self, flowing=self.flowing[:0], tangent=self.tangent[:0])
 
 
 @attrs.frozen(kw_only=True)
 class ElasticPlastic:
-    """Isotropic metal; elastic without hardening law."""
+    """Isotropic metal. Without hardening law, it is elastic."""
 
     youngs_modulus: float = number("Young's modulus", "Pa", 0)
     poissons_ratio: float = number("Poisson's ratio", "-", -1, 0.5)
@@ -135,7 +135,7 @@ class ElasticPlastic:
             return Response(stress, state, flowing, np.empty((0, 4, 4)))
         trial = mises[flowing]
         step, flow, slope = self._flow(trial, state.accumulated[flowing], duration)
-        # Unit tensor; the direction of flow is 3/2 times this.
+        # Unit deviator; the direction of plastic flow is 3/2 times this tensor.
         direction = deviator[flowing] / trial[:, None]
         stress[flowing] -= (3 * self.shear_modulus * step)[:, None] * direction
         after = State(*(column.copy() for column in attrs.astuple(state)))
@@ -159,7 +159,7 @@ class ElasticPlastic:
     def _flow(
         self, trial: np.ndarray, accumulated: np.ndarray, duration: float
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Return plastic strain steps, flow stresses and their slopes, by bounded Newton steps."""
+        """Return plastic strain steps, flow stresses and slopes, by bounded Newton iterations."""
         shear = self.shear_modulus
         low, high = np.zeros_like(trial), trial / (3 * shear)
         step = np.zeros_like(trial)

@@ -21,13 +21,16 @@ class SmallStrain:
     """Small strain: the measure is the symmetric displacement gradient.
 
     Attributes:
-        surface_moves: Whether the area and place of a surface follow its displacement.
+        surface_moves: Whether displacements change the area and position of a surface.
     """
 
     surface_moves = False
 
     def matrices(self, gradients: np.ndarray) -> np.ndarray:
-        """Return measures per nodal displacement (..., m, 16) from gradients (..., 5, 16)."""
+        """Return matrices from nodal displacements to measures (..., m, 16).
+
+        `gradients` are the matrices to displacement gradients (..., 5, 16).
+        """
         result = gradients[..., :4, :].copy()
         result[..., 3, :] += gradients[..., 4, :]
         return result
@@ -53,7 +56,7 @@ class SmallStrain:
     ) -> tuple[np.ndarray, np.ndarray]:
         """Return the points (k,) that differ from the undeformed body, and their tangents.
 
-        The tangent is d conjugate stress / d measure (k, m, m), Pa.
+        The tangent is d(conjugate stress)/d(measure) (k, m, m), Pa.
         """
         return response.flowing, response.tangent
 

@@ -15,9 +15,10 @@ class InvertedError(ArithmeticError):
 
 
 class Stretch:
-    """Stretches at n points, and derivatives of their logarithm by F.
+    """Stretches at n points, and derivatives of their logarithm with respect to F.
 
-    Indices in einsum: n points; g and h components of F in the plane; a, b and k eigenvectors.
+    Indices in einsum: n counts points; g and h components of F in the plane; a, b and k
+    eigenvectors.
     """
 
     def __init__(self, gradient: np.ndarray) -> None:
@@ -31,7 +32,7 @@ class Stretch:
         if not (np.all(determinant > 0) and np.all(self._hoop > -1)):
             raise InvertedError("the displacements turn an element inside out")
         deformation = np.stack([1 + radial, upper, lower, 1 + axial], axis=-1).reshape(-1, 2, 2)
-        # C - 1, computed directly because C is close to one.
+        # Compute C - 1 directly, because C is close to one.
         first = 2 * radial + radial**2 + lower**2
         second = 2 * axial + axial**2 + upper**2
         mixed = upper + lower + radial * upper + axial * lower
@@ -43,7 +44,7 @@ class Stretch:
         # Eigenvalues of C minus one.
         self._squares = np.stack([mean + spread, mean - spread], axis=-1)
         self._difference = 2 * spread
-        # dC in the basis of eigenvectors, for each component of dF, in the order rr, yy, ry, yr.
+        # Compute dC in the basis of eigenvectors for each component rr, yy, ry, yr of dF.
         turned = deformation @ self._vectors
         product = np.einsum("nia,njb->nijab", turned, self._vectors)
         product = product + product.swapaxes(3, 4)
@@ -78,7 +79,7 @@ class Stretch:
             "nia,nab,njb->nij", self._vectors, 2 * turned * self._first(), self._vectors
         )
         plane = curved + curved.swapaxes(1, 2)
-        # dF^T dF' : S for components in the same row of F: rr with ry, yy with yr.
+        # Add dF^T dF' : S for components in the same row of F: rr with ry, yy with yr.
         for columns in np.array([[0, 2], [3, 1]]):
             plane[:, columns[:, None], columns] += piola
         result[:, IN_PLANE[:, None], IN_PLANE] += plane

@@ -16,7 +16,7 @@ import attrs
 import numpy as np
 from skfem import MeshQuad, MeshQuad2
 
-FINE_RATIO = 3.0  # ratio of step in theta to step in s of the rings at the contact edge
+FINE_RATIO = 3.0  # ratio of the step in theta to the step in s for rings at the contact edge
 FINE_REACH = 1.3  # radius at which the fine rings end / largest contact radius
 GROWTH = 1.25  # ratio of consecutive ring distances outside the fine zone
 
@@ -29,7 +29,7 @@ class SphereMesh:
         radius: Radius of the sphere, m.
         core: Radius about the contact point inside which elements have equal size, m.
         reach: Largest contact radius of the mesh, m.
-        divisions: Elements across `core`; twice as many lie between the axis and the circle.
+        divisions: Number of elements across `core`; there are twice as many from axis to circle.
         fineness: Factor on the number of rings.
         whole: Whether to mesh the whole sphere instead of its lower half.
     """
@@ -54,7 +54,7 @@ class SphereMesh:
         first, second = linear.facets
         facet_middle = self._middle(w[first], w[second])
         facet_points = self._to_sphere(facet_middle)
-        # Center interpolated from the eight nodes, so that the element is isoparametric.
+        # Interpolate the center from the eight nodes, so that the element is isoparametric.
         center = facet_points[linear.t2f].sum(axis=0) / 2 - corner_points[linear.t].sum(axis=0) / 4
         points = np.concatenate([corner_points, facet_points, center])
         on_axis = np.abs(facet_middle.imag) < 1e-12 * np.abs(facet_middle)
@@ -104,7 +104,7 @@ class SphereMesh:
         upper_ids[rim] = ring_ids[-1]
         inner = upper_ids < 0
         upper_ids[inner] = sum(map(len, points)) + np.arange(inner.sum())
-        # At the top of the sphere w is infinite, so 1/w is a tiny value instead of zero.
+        # At the top of the sphere w is infinite. Use a tiny value for 1/w instead of zero.
         points.append(1 / np.where(disc[inner] == 0, 1e-14, disc[inner]))
         quads.append(upper_ids[disc_quads])
         return np.concatenate(points), np.concatenate(quads)

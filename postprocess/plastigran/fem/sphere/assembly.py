@@ -11,9 +11,10 @@ from plastigran.fem.settings import Settings
 from plastigran.fem.stepping.increment import Equations
 from plastigran.fem.theory.hertz import HertzSphere
 
-# Radius D of the fixed base / a; the base reduces the approach by the fraction 0.4 a/D.
+# Radius D of the fixed base / contact radius a. The base reduces the approach by 0.4 a/D of it.
 BASE_OVER_REACH = 2000.0
-# base radius / path of a compression wave in Hertz' duration: reflections arrive after contact
+# Radius of the base / path of a compression wave during Hertz' duration. With this value, the
+# reflected wave arrives after the contact has ended.
 BASE_OVER_PATH = 0.6
 
 

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Constants of Vu-Quoc and Zhang's law from a finite-element compression.
 
-For loading beyond the yield force P_Y, the law states (Vu-Quoc and Zhang, 1999):
-a = a_e + C_a (P - P_Y), a^2 = (1 + K_c (P - P_Y)) R alpha, with the Hertzian contact radius a_e.
-Each constant is a least-squares fit of a straight line through zero for first loading, weighted by
-the distance in force: C_a for a - a_e, K_c for C_R - 1 = (a_e + C_a (P - P_Y))^2 / (R alpha) - 1.
-K_c uses the contact radius of the law, so that the law reproduces the approach of the finite
-elements as well as possible.
+For loading beyond the yield force P_Y, the law is (Vu-Quoc and Zhang, 1999):
+a = a_e + C_a (P - P_Y), a^2 = C_R R alpha, C_R = 1 + K_c (P - P_Y), with the Hertzian contact
+radius a_e and the approach alpha. Each constant is the slope of a least-squares line through zero
+for first loading, weighted by the distance between force increments: C_a for a - a_e, K_c for
+C_R - 1 = (a_e + C_a (P - P_Y))^2 / (R alpha) - 1. The fit of K_c uses the contact radius of the
+law, so that the law reproduces the approach of the finite elements as well as possible.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ class Calibration:
         force_max: Largest force of the fit, N.
         contact_radius_error: Largest relative difference of a between law and finite elements
             beyond P_Y.
-        approach_error: Largest relative difference of alpha.
+        approach_error: Largest relative difference of alpha beyond P_Y.
     """
 
     contact_radius_coefficient: float
@@ -52,9 +52,9 @@ def calibrate(pressing: Pressing) -> Calibration:
     """Fit C_a and K_c to the loading of a compression, from P_Y to its largest force.
 
     Raises:
-        ValueError: The largest force is below LEAST_RATIO times the yield force. The plane is a
-            half space, for which the law's yield force does not hold. A constant is not positive,
-            because the metal hardens so much that it hardly flows.
+        ValueError: The largest force is below LEAST_RATIO times the yield force. Or the plane is a
+            half space, for which the law's yield force does not hold. Or a constant is not
+            positive, because the metal hardens so much that it hardly flows.
     """
     if pressing.plane is not None:
         raise ValueError(
@@ -94,7 +94,7 @@ def calibrate(pressing: Pressing) -> Calibration:
 
 
 def check_range(sphere: HertzSphere, force: float) -> None:
-    """Check that a largest force, N, is enough for a fit.
+    """Check that the largest force, N, is large enough for a fit.
 
     Raises:
         ValueError: The force is below LEAST_RATIO times the yield force.

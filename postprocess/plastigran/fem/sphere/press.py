@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Quasi-static compression and unloading of a sphere on a rigid plane or a half space.
 
-The lower half of the sphere is fixed vertically at its equator, like half of a sphere between two
-planes. The approach is the motion of the plane toward the equator.
+The lower half of the sphere is fixed vertically at its equator, as in a sphere between two planes.
+The approach is the motion of the plane toward the equator.
 """
 
 from __future__ import annotations
@@ -25,14 +25,14 @@ from plastigran.progress import ProgressBar
 
 # Ratio of force increments below yield, where the response does not depend on the path.
 ELASTIC_GROWTH = 1.4
-# First force / yield force; for an elastic sphere, first force / (largest force/100)
+# First force / yield force; for an elastic sphere, first force / (largest force/100).
 FIRST_FORCE = 0.3
 LEAST_FORCE = 1e-5  # last force of an unloading / largest force
 CUTS = 6  # largest number of halvings of an increment
 
 
 class ForceControl:
-    """Applies force increments to a supported sphere and adds a row to the history for each."""
+    """Force control of a supported sphere: applies increments, and adds a row for each."""
 
     def __init__(self, equations: Equations, sphere: HertzSphere) -> None:
         self.equations, self.sphere = equations, sphere
@@ -73,7 +73,7 @@ class ForceControl:
                 self._increment(part, cuts + 1)
 
     def _guess(self, force: float) -> tuple[np.ndarray, float]:
-        """Return the initial guess of Newton's method: extrapolated or elastic."""
+        """Return the initial guess of Newton's method: extrapolated, or elastic."""
         now, before = self.now, self._before
         if now.touch.force == 0:
             return now.displacement, self.sphere.approach(force)
@@ -105,8 +105,8 @@ def press(
         plane: Material of the half space; None for a rigid plane.
 
     Raises:
-        ValueError: A force is not positive, does not exceed the one before, or is too large for the
-            mesh; or finite strain is chosen for a half space.
+        ValueError: A force is not positive, does not exceed the previous force, or is too large for
+            the mesh; or finite strain is chosen for a half space.
         NoConvergence: The first increment has no equilibrium even after halving. A later failure
             ends the computation; the result so far is returned, with the reason in `stopped`.
     """
@@ -137,14 +137,14 @@ def press(
 def loading_ladders(
     sphere: HertzSphere, forces: Sequence[float], settings: Settings
 ) -> list[np.ndarray]:
-    """Return the forces of the increments: up to each largest force and down again."""
+    """Return the forces of the increments: up to each largest force, and down to zero."""
     yield_force = min(sphere.yield_force, forces[-1])
     least = min(FIRST_FORCE * yield_force, forces[0] / 100)
     elastic = _geometric(least, yield_force, ELASTIC_GROWTH)
     growth = settings.growth if sphere.yield_force < forces[-1] else ELASTIC_GROWTH
     loading = np.concatenate([elastic, _geometric(yield_force, forces[-1], growth)[1:]])
     loading = np.unique(np.concatenate([loading, forces]))
-    # Force is proportional to the cube of the contact radius: cubes give equal steps in radius.
+    # Use cubes, because the force grows with the cube of the contact radius: equal steps in radius.
     down = np.maximum(np.linspace(1, 0, settings.unloading_steps + 1)[1:] ** 3, LEAST_FORCE)
     ladders, reached = [], 0.0
     for force in forces:
@@ -163,8 +163,8 @@ def _geometric(start: float, end: float, growth: float) -> np.ndarray:
 def unloading(history: pd.DataFrame, branch: int) -> dict[str, float]:
     """Return the results of one unloading.
 
-    Works are integrals of force over approach. The work of loading follows first loading, without
-    the earlier unloadings.
+    Works are integrals of the force with respect to the approach. The work of loading is that of
+    first loading, without the earlier unloadings.
     """
     force, approach = (history[name].to_numpy() for name in ("force", "approach"))
     branches = history["branch"].to_numpy()
@@ -188,7 +188,7 @@ def unloading(history: pd.DataFrame, branch: int) -> dict[str, float]:
 
 
 def _work(force: np.ndarray, approach: np.ndarray) -> float:
-    """Return the integral of force over approach, by Simpson's rule in x = force^(1/3).
+    """Return the work: the integral of P d alpha by Simpson's rule in x = P^(1/3).
 
     The approach is smooth in x, and P d alpha = d(P alpha) - 3 alpha x^2 dx.
     """

@@ -10,7 +10,8 @@ from plastigran.fem.material.elastic_plastic import ElasticPlastic
 from plastigran.fem.result_file import numbers
 from plastigran.fem.stepping.snapshot import Snapshot
 
-# Relative difference of forces that counts as equal, above the error of Newton's method.
+# Forces whose relative difference is below this value count as equal. It exceeds the error of
+# Newton's method.
 ROUNDING = 1e-6
 
 
@@ -47,7 +48,7 @@ class Pressing:
 
 
 def first_loading_of(history: pd.DataFrame) -> pd.DataFrame:
-    """Return the rows of first loading: the force is not below any earlier force, to round-off."""
+    """Return the rows of first loading, whose force is at least as large as all earlier forces."""
     loading = history[history["branch"] % 2 == 0]
     reached = loading["force"].cummax().shift(fill_value=0)
     return loading[loading["force"] > (1 + ROUNDING) * reached]
@@ -64,16 +65,17 @@ class Throw:
         history: One row per step: time s, force N, approach m (of the center of mass), velocity m/s
             (of the center of mass, upward), nodal_velocity m/s (mean of the corner nodes, upward),
             contact_radius m, energies J.
-        coefficient_of_restitution: Momentum after / before.
-        nodal_restitution: Restitution by the mean velocity of all corner nodes at the end. It
+        coefficient_of_restitution: Momentum after / before the impact.
+        nodal_restitution: Restitution from the mean velocity of all corner nodes at the end. It
             includes the vibration of the sphere, mostly of its finely meshed part.
         force_max: Largest force, N.
         overlap_max: Largest approach, m.
         overlap_res: Approach at the end of contact, m.
         contact_time: Duration of the contact, s.
         snapshot: Fields at the end of contact.
-        snapshots: Fields by time, s; `Settings.frames` of them during Hertz' duration.
-        stopped: Reason of an early end, with NaN for the values at the end; otherwise empty.
+        snapshots: Fields by time, s: `Settings.frames` snapshots during Hertz' duration.
+        stopped: Reason of an early end; otherwise empty. After an early end, the values at the end
+            are NaN.
         plane: Material of the half space; None for a rigid plane.
     """
 

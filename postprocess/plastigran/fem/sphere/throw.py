@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Impact of a sphere on a rigid plane or a half space: implicit dynamics, trapezoidal rule.
 
-The sphere starts at its impact speed, just touching.
+The sphere starts with its impact speed at first touch.
 """
 
 from __future__ import annotations
@@ -96,7 +96,7 @@ def throw(
 def _row(flight: Flight) -> dict[str, float]:
     body, now = flight.equations.body, flight.now
     corners = body.vertex_dofs[:, 1]
-    # Only corner nodes of the sphere, without the half space.
+    # Use only corner nodes of the sphere, not of the half space.
     corners = corners[body.upward[corners] > 0]
     momentum = body.mass_matrix @ now.velocity
     return {

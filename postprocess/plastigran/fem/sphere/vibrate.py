@@ -2,7 +2,7 @@
 """Impact of an elastic sphere on a rigid plane, and its vibration in flight.
 
 The time steps conserve energy to round-off. Their error therefore does not hide the vibration after
-an impact, which has 1e-6 to 1e-2 of the energy.
+an impact, which has 1e-6 to 1e-2 of the impact energy.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ def vibrate(
     """Compute the impact of an elastic sphere on a rigid plane, and its vibration in flight.
 
     Args:
-        material: Material without hardening law.
+        material: Material without hardening law, which is elastic.
         radius: Radius of the sphere, m.
         speed: Impact speed, m/s.
         transits: Duration of the flight / 2 R/c_l, the time in which a compression wave crosses the
@@ -82,7 +82,7 @@ def vibrate(
 
 
 class _History:
-    """Builds the history: one row for the start and one for each step."""
+    """History of an impact: one row for the start and one for each step."""
 
     def __init__(self, steps: Steps, radius: float) -> None:
         self.steps, self._before = steps, steps.now

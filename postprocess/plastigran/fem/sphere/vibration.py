@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Results of the impact of an elastic sphere and of its vibration in flight.
 
-The strain energy of a free body is a sum over its vibrations, because they are orthogonal in the
-stiffness. Each vibration contributes twice its frequency and no other.
+The strain energy of a free body is a sum over its vibrations, because they are orthogonal with
+respect to the stiffness. In the spectrum of the energy, each vibration therefore has only one peak,
+at twice its frequency.
 """
 
 from __future__ import annotations
@@ -39,9 +40,9 @@ class Vibration:
         modes: One row for each of the lowest free vibrations of the mesh: frequency Hz, energy J at
             the end, and contact_displacement kg^-1/2. This column is the normal displacement at
             the contact point for unit modal mass.
-        coefficient_of_restitution: Momentum after / before.
-        kinetic_restitution: Square root of the total kinetic energy after (mean over the flight) /
-            before. It counts half of the vibration energy as rebound.
+        coefficient_of_restitution: Momentum after / before the impact.
+        kinetic_restitution: Square root of total kinetic energy after (mean of the flight) / before
+            the impact. It counts half of the vibration energy as rebound.
         force_max: Largest force, N.
         overlap_max: Largest approach, m.
         contact_time: Duration of the contact, s.
@@ -78,7 +79,7 @@ class Vibration:
 
         The midpoint rule changes a frequency f to f' with tan(pi f' dt) = pi f dt; the result is f.
         Energies have twice the frequency of a vibration; the result is the frequency of the
-        vibration. Frequencies above the highest mode are left out.
+        vibration. Frequencies above the highest mode are omitted.
 
         Args:
             signal: Column.

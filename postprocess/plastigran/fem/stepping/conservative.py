@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Energy-conserving time steps of an elastic body on a rigid plane.
 
-Implicit midpoint rule: with velocity v and force f of the plane,
+The steps follow the implicit midpoint rule, with displacement u, velocity v, gap g and the force f
+of the plane at the start (0) and end (1) of a step:
 
     u1 - u0 = dt (v0 + v1)/2,    M (v1 - v0)/dt + K (u0 + u1)/2 = f(g0, g1).
 
@@ -26,7 +27,7 @@ from plastigran.fem.contact.plane import PENALTY, RigidPlane
 from plastigran.fem.stepping.increment import NoConvergence
 
 ITERATIONS = 40
-TOLERANCE = 1e-13  # tolerance / surface displacements, at the level of round-off
+TOLERANCE = 1e-13  # tolerance relative to the surface displacements, at the level of round-off
 
 
 class SpringPlane(RigidPlane):
@@ -34,7 +35,7 @@ class SpringPlane(RigidPlane):
 
     Attributes:
         surface: Vertical degrees of freedom of the body that may touch (n_surface,).
-        shapes: Displacements of the Gauss points per displacement of the surface (n_points,
+        shapes: Matrix from displacements of the surface to those of the Gauss points (n_points,
             n_surface).
     """
 
@@ -61,8 +62,8 @@ class SpringPlane(RigidPlane):
         """Return the forces of a step (n_points,), N, by the discrete gradient of the energy.
 
         `start` and `end` are gaps (n_points,), m. With p = <-g>, the force is
-        k (p0 + p1)/2 |p1 - p0|/|g1 - g0|. The second array contains minus its derivatives by the
-        gaps at the end, N/m.
+        k (p0 + p1)/2 |p1 - p0|/|g1 - g0|. The second array contains the negative derivatives of the
+        force with respect to the gaps at the end, N/m.
         """
         before, after = np.maximum(-start, 0), np.maximum(-end, 0)
         closed, opened = (start < 0) & (end < 0), (start >= 0) & (end >= 0)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Time steps of a body in contact, by the trapezoidal rule, and the course of an impact.
 
-The Newton iteration of a step starts from the extrapolated displacement of the last step. With
-u + dt v as start, points could yield that do not yield in the solution.
+The Newton iteration of a step starts from the extrapolated displacement of the last step. If it
+started from u + dt v, points could yield that do not yield in the solution.
 """
 
 from __future__ import annotations

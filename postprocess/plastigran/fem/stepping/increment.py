@@ -17,7 +17,7 @@ from plastigran.fem.material.stretch import InvertedError
 from plastigran.fem.stepping.linear import SingularError, SymmetricSystem
 
 ITERATIONS = 16
-# largest residual / largest nodal force; `press` uses contact forces, `move` all forces
+# Largest residual / largest nodal force: contact force in `press`, any force in `move`.
 TOLERANCE = 1e-5
 FORCE_TOLERANCE = 1e-8  # largest error of the contact force / prescribed force
 
@@ -123,7 +123,7 @@ class Equations:
         raise NoConvergence(f"no equilibrium at {force:g} N in {ITERATIONS} iterations")
 
     def predict(self, start: Equilibrium, force: float) -> tuple[np.ndarray, float]:
-        """Return the guess for `press` after a load reversal: elastic, same contact area."""
+        """Return the guess for `press` after a load reversal: elastic, with unchanged contact."""
         change = self._bordered(
             self.body.stiffness(start.displacement, start.response.elastic()),
             start.touch.stiffness,
@@ -137,7 +137,8 @@ class Equations:
     ) -> tuple[np.ndarray, float]:
         """Return the Newton changes of displacement (size,) and plane height, m.
 
-        `right` are nodal forces (size,), N. `excess` is the missing contact force, N.
+        `right` is the right side, nodal forces (size,), N. `excess` is the missing contact force,
+        N.
         """
         column = self.contact.spread(edges)
         factor = self._factor([stiffness, edges])

@@ -13,10 +13,10 @@ class SingularError(ArithmeticError):
 
 
 class SymmetricSystem:
-    """Assembles element matrices into one sparse matrix and factors it with SuperLU.
+    """Sparse matrix that is assembled from element matrices and factored with SuperLU.
 
     The sparsity is symmetric; the values may be unsymmetric, as with friction. Sparsity and
-    ordering are computed once: degrees of freedom are renumbered in the order of the first
+    ordering are computed only once. Degrees of freedom are renumbered in the order of the first
     factorization.
 
     Attributes:
@@ -87,7 +87,10 @@ class Factor:
         self._free = free
 
     def solve(self, right: np.ndarray) -> np.ndarray:
-        """Return the solution (size, ...) for right sides (size, ...); zero where fixed."""
+        """Return the solution (size, ...) for right sides (size, ...).
+
+        The solution is zero at fixed degrees of freedom.
+        """
         result = np.zeros_like(right)
         result[self._free] = self._factor.solve(right[self._free])
         return result

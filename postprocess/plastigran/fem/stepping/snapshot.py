@@ -73,9 +73,9 @@ def mises_stress(stress: np.ndarray) -> np.ndarray:
 
 
 def at_vertices(snapshot: Snapshot, values: np.ndarray) -> np.ndarray:
-    """Return values (points,) of the Gauss points at the element corners (n_vertices,).
+    """Return values at the element corners (n_vertices,) from values at the Gauss points (points,).
 
-    Each corner has the mean of the closest Gauss points of its elements, without extrapolation.
+    The value at a corner is the mean over the closest Gauss points of its elements.
     """
     quads = snapshot.quads
     points = snapshot.positions.reshape(len(quads), -1, 2)

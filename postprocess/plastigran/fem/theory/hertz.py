@@ -20,7 +20,7 @@ class HertzSphere:
     """Elastic sphere on a plane.
 
     Attributes:
-        material: Material of the sphere; of its hardening, only the yield strength is used.
+        material: Material of the sphere. Only the yield strength of its hardening law is used.
         radius: Radius of the sphere, m.
         plane: Material of the half space; None for a rigid plane.
     """

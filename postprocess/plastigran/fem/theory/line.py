@@ -47,7 +47,9 @@ class HertzLine:
 
     @property
     def yield_force(self) -> float:
-        """Force at which the body yields below its surface, N; infinite without hardening law.
+        """Force at which the body yields below its surface, N.
+
+        It is infinite if the body is elastic (has no hardening law).
 
         At depth z half widths, the stresses on the axis divided by the largest pressure are
         -(1 + 2 z^2)/r + 2 z along the surface and -1/r across it, r = sqrt(1 + z^2).
@@ -69,8 +71,8 @@ class HertzLine:
         """Return the largest force, N, of an impact of a mass (kg) at a speed (m/s)."""
         kinetic_energy = mass * speed**2 / 2
         ratio = self.material.poissons_ratio / (1 - self.material.poissons_ratio)
-        # The formula holds for small contacts. The approach grows with the force up to e times this
-        # value, at which the contact is as wide as the layer is thick.
+        # The formula holds for small contacts. At this force, the contact is as wide as the layer
+        # is thick. In the formula, the approach grows with the force only up to e times this force.
         largest = (
             pi * self.material.plane_modulus * self.length * self.thickness**2 / self.radius
         ) * exp(-2 - ratio)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The vibrating elastic sphere of Chamoli's thesis: fast impacts, and the viscoelastic sphere."""
+"""Elastic sphere of Chamoli's thesis: fast impacts with vibration, and a viscoelastic sphere."""
 
 from __future__ import annotations
 

@@ -26,15 +26,14 @@ SPEEDS = (0.01, 0.03, 0.1, 0.3, 1.0, 3.0, 5.0)
 SHOWN = ((HARD, 0.1), (HARD, 5.0), (SOFT, 5.0))  # impacts whose spectra and curves are shown
 #: Flight times divided by the time of a compression wave through the sphere.
 LONG, SHORT = 200.0, 40.0
-#: The sphere of ice whose restitution Bridges, Hatzes & Lin (1984) measured: radius [m] and speeds
-#: within their range [m/s].
+#: Radius of the ice sphere whose restitution Bridges, Hatzes & Lin (1984) measured [m], and impact
+#: speeds in the range of their measurement [m/s].
 ICE_RADIUS = 0.0275
 ICE_SPEEDS = (2e-4, 1e-3, 5e-3, 2e-2)
-#: Fit of Bridges, Hatzes & Lin (1984) to the restitution: factor, and exponent of the speed in
-#: cm/s.
+#: Fit of Bridges, Hatzes & Lin (1984) to the restitution: factor and exponent, with speed in cm/s.
 ICE_RESTITUTION = (0.32, -0.234)
-#: Frequencies of the thesis [kHz] by type, degree and overtone: the radial mode, and the first
-#: toroidal one, which the thesis takes for the oblate-prolate mode.
+#: Frequencies of the thesis [kHz] by type, degree and overtone: the first radial mode and the first
+#: toroidal mode, which the thesis takes for the oblate-prolate mode.
 PAPER_MODES = {("radial", 0, 0): 143.67, ("toroidal", 1, 0): 186.49}
 
 Impact = tuple[float, float]  # Young's modulus, Pa, and speed, m/s
@@ -90,7 +89,7 @@ def compute(progress: bool, coarse: bool) -> Computed:
 
 
 def material(youngs_modulus: float) -> Material:
-    """Return ice with another Young's modulus [Pa]."""
+    """Return ice with a different Young's modulus [Pa]."""
     return attrs.evolve(read_material("ice"), youngs_modulus=youngs_modulus)
 
 
@@ -114,8 +113,8 @@ def oscillation(vibration: Vibration) -> pd.DataFrame:
     size of the sphere, which depends only on the approach.
 
     Returns:
-        A row for each step of contact: columns time [s], the middle of the step, and
-        relative_force, the difference from the fit divided by the largest force.
+        One row per step of the contact: time of the middle of the step [s], and relative_force, the
+        difference from the fit divided by the largest force.
     """
     hertz = HertzSphere(vibration.material, vibration.radius)
     history = vibration.history

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figures: impact, energies, restitution over speed, and spectra of the vibration in flight."""
+"""Figures: impact, energies, restitution versus speed, and spectra of the vibration in flight."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ TOROIDAL = PAPER_MODES["toroidal", 1, 0]
 
 @styled()
 def impact_figure(computed: Computed) -> Figure:
-    """Draw force, approach and oscillation of the force over time, in Hertz' units."""
+    """Draw force, approach and oscillation of the force versus time, in units of Hertz' values."""
     figure, panels = subplots(1, 3, figsize=(11, 3.6))
     for colour, impact in zip(COLOURS, SHOWN, strict=False):
         vibration = computed.vibrations[impact]
@@ -36,7 +36,7 @@ def impact_figure(computed: Computed) -> Figure:
         panels[1].plot(time, history["approach"] / approach, color=colour, label=_label(impact))
         swing = oscillation(vibration)
         panels[2].plot(swing["time"] / duration, 100 * swing["relative_force"], color=colour)
-    # Draw Hertz once, because all Hertz impacts coincide in these units.
+    # Draw one Hertz impact, because all Hertz impacts coincide in these units.
     force, approach, duration = _hertz_units(SHOWN[0])
     hertz = sphere(SHOWN[0][0])
     time, overlap = hertz_history(RADIUS, hertz.mass, hertz.modulus, SHOWN[0][1])
@@ -61,7 +61,7 @@ def _hertz_units(impact: Impact) -> tuple[float, float, float]:
 
 @styled()
 def energies_figure(computed: Computed) -> Figure:
-    """Draw shares of the impact energy over time, and the remaining energy in flight."""
+    """Draw fractions of the impact energy versus time, and the vibration energy in flight."""
     figure, grid = subplots(2, len(SHOWN), figsize=(11, 5.2), sharex=True)
     parts = (
         ("kinetic", "kinetic_energy", "-"),
@@ -91,11 +91,11 @@ def energies_figure(computed: Computed) -> Figure:
 
 @styled()
 def restitution_figure(computed: Computed) -> Figure:
-    """Draw 1 - e over speed, by momentum and by kinetic energy."""
+    """Draw 1 - e versus speed, with e from the momentum and from the kinetic energy."""
     figure, axes = subplots(figsize=(5.6, 4))
     vibrations = [v for (modulus, _), v in computed.vibrations.items() if modulus == HARD]
     vibrations.append(computed.vibrations[SHOWN[-1]])
-    # Speeds are divided by the wave speed, so that both spheres lie on one curve.
+    # Divide speeds by the wave speed, so that the points of both spheres lie on one curve.
     wave_speeds = [np.sqrt(v.material.youngs_modulus / v.material.density) for v in vibrations]
     speeds = np.array([v.speed for v in vibrations]) / wave_speeds
     in_modes = [v.modes["energy"].sum() / v.history["kinetic_energy"][0] for v in vibrations]
@@ -115,7 +115,7 @@ def spectrum_figure(computed: Computed) -> Figure:
     """Draw spectra in flight after some impacts, with the exact modes."""
     figure, panels = subplots(len(SHOWN), 1, figsize=(7.5, 6), sharex=True)
     highest = 1.04e-3 * computed.vibrations[SHOWN[1]].modes["frequency"].max()
-    # The last number is the ratio of signal to mode frequency: energy oscillates twice per period.
+    # The last number is signal frequency / mode frequency. Energy oscillates twice per period.
     signals = (
         ("strain energy", "middle_elastic_energy", 2),
         ("top", "top_displacement", 1),

@@ -82,7 +82,7 @@ def _by_impact(
 
 
 def energies(computed: Computed) -> pd.DataFrame:
-    """Return shares of the impact energy, and the error of the total."""
+    """Return fractions of the impact energy, and the error of the total energy."""
 
     def row(_: Impact, vibration: Vibration) -> dict[str, float]:
         parts = vibration.history[["kinetic_energy", "elastic_energy", "penalty_energy"]]
@@ -103,7 +103,7 @@ def energies(computed: Computed) -> pd.DataFrame:
 
 
 def restitution(computed: Computed) -> pd.DataFrame:
-    """Return 1 - e by momentum and by kinetic energy, because all e are close to one."""
+    """Return 1 - e by momentum and by kinetic energy, because all restitutions e are near one."""
 
     def row(impact: Impact, vibration: Vibration) -> dict[str, float]:
         initial = vibration.history["kinetic_energy"].iloc[0]
@@ -142,8 +142,8 @@ def oscillations(computed: Computed) -> pd.DataFrame:
 def modes(computed: Computed) -> pd.DataFrame:
     """Return free vibrations: exact, of the mesh, and peaks of the spectra.
 
-    The spectra are those after the fastest impact. Further columns are the energies of the modes
-    after some impacts.
+    The spectra belong to the flight after the fastest impact. Further columns are the energies of
+    the modes after some impacts.
     """
     fastest = computed.vibrations[HARD, 5.0]
     table = nearest_modes(fastest.modes["frequency"], computed.modes)
@@ -197,6 +197,6 @@ def _impact_columns(impact: Impact) -> dict[str, float]:
 
 
 def _mode_energies(vibration: Vibration) -> np.ndarray:
-    """Return the energy of each mode divided by that of the impact."""
+    """Return the energy of each mode / impact energy."""
     energy = vibration.history["kinetic_energy"].iloc[0]
     return (vibration.modes["energy"] / energy).to_numpy()

@@ -44,7 +44,8 @@ OBLIQUE_SPEEDS = {10.0: (1.0, 0.6), 100.0: (3.0,)}
 SHOWN = (10.0, 1.0)
 LAWS = tuple(laws_for("cylinder"))
 HEAD_ON = Settings(divisions=4, steps_of_contact=120)
-#: An oblique impact takes ten times as long to compute, because its whole track has a fine mesh.
+#: Coarse resolution of oblique impacts, which take ten times as long to compute as head-on impacts,
+#: because their whole track has a fine mesh.
 OBLIQUE = Settings(divisions=3, fineness=0.6, steps_of_contact=40)
 COARSE = Settings(divisions=2, fineness=0.5, steps_of_contact=20)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figures of the cylinder: restitution over speed, depth over time, von Mises stress."""
+"""Figures of the cylinder: restitution versus speed, depth versus time, von Mises stress."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ DIRECTIONS = ("head-on", "oblique")
 
 @styled()
 def restitution_figure(computed: Computed) -> Figure:
-    """Draw restitution over speed, one panel for each length of the cylinder."""
+    """Draw restitution versus speed, one panel for each length of the cylinder."""
     ratios = sorted({ratio for ratio, _, _ in computed.runs})
     series = {
         ("head-on", "layer"): ("ko", "finite elements, 100 µm"),
@@ -45,7 +45,7 @@ def restitution_figure(computed: Computed) -> Figure:
 
 @styled()
 def depth_figure(computed: Computed) -> Figure:
-    """Draw the depth of the cylinder over time, and the surface after the impact."""
+    """Draw the depth of the cylinder versus time, and the surface after the impact."""
     figure, (over_time, surface) = subplots(1, 2, figsize=(9.2, 3.6))
     for direction, colour in zip(DIRECTIONS, COLOURS, strict=False):
         strike = computed.strikes[Case(*SHOWN, direction)]

@@ -15,7 +15,7 @@ from plastigran.papers.kp10.computations import LAWS, SHOWN, Case, Computed
 from plastigran.report.base import add_difference
 
 MICRO = 1e6
-#: Residual depths of the paper's finite elements at `SHOWN` [m]; oblique with sliding.
+#: Residual depths of the paper's finite elements at `SHOWN` [m]; the oblique impact slides.
 PAPER_DEPTHS = {"head-on": FINITE_ELEMENTS_OVERLAP_RES, "oblique": 0.19e-6}
 OURS = "finite elements"
 #: Quantities: attribute of finite elements and of LIGGGHTS, unit in tables, and factor to it.
@@ -27,10 +27,12 @@ QUANTITIES = {
     "contact time": ("contact_time", "contact_time", "µs", MICRO),
     "largest force": ("force_max", "force_max", "N", 1.0),
 }
-#: Largest residual/largest depth that counts as zero. The residual depth of LIGGGHTS is
-#: extrapolated from the last three of some thirty steps; an elastic contact shows this error.
+#: Residual / largest depth below which the residual depth counts as zero. The residual depth in
+#: LIGGGHTS is extrapolated from the last three of some thirty steps. An elastic contact has an
+#: error of this size.
 INSIGNIFICANT = 1e-3
-#: Impacts of table `head_on`, just beyond yield and the fastest, by length/radius [m/s].
+#: Speeds of the impacts in the table `head_on`, by length/radius: just beyond yield, and the
+#: fastest [m/s].
 HEAD_ON_SPEEDS = {10: (0.4, 1.0), 100: (2.0, 5.0)}
 BODIES = {
     "layer": "combined elasticity, 100 µm",
@@ -51,7 +53,7 @@ def comparison(computed: Computed) -> pd.DataFrame:
             row[OURS] = factor * getattr(strike, name)
             for law in LAWS:
                 run = computed.runs[*SHOWN, law]
-                # Leave out LIGGGHTS for oblique impacts, because the laws do not include sliding.
+                # Omit LIGGGHTS for oblique impacts, because the laws do not include sliding.
                 value = nan if direction == "oblique" else factor * getattr(run, run_name)
                 row[f"LIGGGHTS, {law}"] = value
             rows.append(row)
@@ -61,7 +63,7 @@ def comparison(computed: Computed) -> pd.DataFrame:
 
 
 def normal(computed: Computed) -> pd.DataFrame:
-    """Return head-on impacts: finite elements with and without reflection, errors of the laws."""
+    """Return head-on impacts: finite elements with and without reflected waves, and the laws."""
     rows = []
     for case, strike in sorted(computed.strikes.items()):
         if (case.direction, case.body, case.mesh) != ("head-on", "layer", "usual"):
@@ -97,7 +99,7 @@ def _significant(outcome: object, name: str) -> float:
 
 
 def head_on(computed: Computed) -> pd.DataFrame:
-    """Return the rows of table `normal` that the page shows."""
+    """Return the rows of the table `normal` that the page shows."""
     table = normal(computed)
     impacts = zip(table["length/radius"], table["speed (m/s)"], strict=True)
     shown = [speed in HEAD_ON_SPEEDS[ratio] for ratio, speed in impacts]
@@ -105,7 +107,7 @@ def head_on(computed: Computed) -> pd.DataFrame:
 
 
 def oblique(computed: Computed) -> pd.DataFrame:
-    """Return finite elements with sliding at 10 m/s and head-on, also on coarse meshes."""
+    """Return finite elements with sliding at 10 m/s, and head-on, each also on a coarse mesh."""
     rows = []
     for case, strike in sorted(computed.strikes.items()):
         slid = Case(case.length_ratio, case.speed, "oblique") in computed.strikes
@@ -138,10 +140,10 @@ def oblique(computed: Computed) -> pd.DataFrame:
 
 
 def surface_yield(strike: Strike) -> pd.Series:
-    """Return the row of the history where the surface yields first, NaN if it does not.
+    """Return the row of the history at which the surface first yields; NaN if it does not yield.
 
-    The surface yields if the shallowest yielded Gauss point is in the first layer of points, the
-    two points of each surface element that are closest to y = 0.
+    The surface yields if the shallowest yielded Gauss point is in the first layer of points. The
+    first layer consists of the two points of each surface element that are closest to y = 0.
     """
     end = strike.snapshots["end"]
     at_surface = np.count_nonzero(end.vertices[end.quads, 1] == 0, axis=1) == 2

@@ -43,7 +43,7 @@ SPEEDS = (0.20, 0.10, 0.06, 0.02)
 ELASTIC_SPEEDS = (0.02, 0.10)
 #: Speed of the movie [m/s].
 SHOWN = 0.10
-#: Largest forces [N]: just beyond yield, the paper's loads, and that of its impact at 0.20 m/s.
+#: Largest forces [N]: just beyond yield, the paper's loads, and the force of its fastest impact.
 FORCES = (40.0, 100.0, 500.0, 1500.0, 3000.0, 8375.0)
 #: Force up to which the paper fits the constants of its law, 41 P_Y [N].
 CALIBRATION_FORCE = 1500.0
@@ -59,8 +59,8 @@ class Computed:
         impacts: Elastic-plastic impacts, by speed.
         elastic_impacts: Elastic impacts, by speed.
         pressing: Quasi-static compression to each of `FORCES`.
-        elastic_pressing: The same without plastic flow.
-        fit: One compression, to `CALIBRATION_FORCE`.
+        elastic_pressing: Compression to each of `FORCES` without plastic flow.
+        fit: Compression to `CALIBRATION_FORCE`.
         onset: Compression past the yield force in small steps, on a finer mesh.
         mesh: Mesh of the impact at `SHOWN`.
         runs: LIGGGHTS runs of `LAWS` and Hertz at every speed.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Curves of the sphere: restitution, impacts over time, loops, contact radius and pressure."""
+"""Curves of the sphere: restitution, impacts versus time, loops, contact radius and pressure."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def shades(forces: np.ndarray) -> np.ndarray:
 
 @styled()
 def restitution_figure(computed: Computed) -> Figure:
-    """Draw restitution over impact speed: laws as lines, finite elements, LIGGGHTS, the paper."""
+    """Draw restitution versus impact speed: laws as lines; finite elements, LIGGGHTS and paper."""
     speeds = np.geomspace(SPHERE.yield_speed, 1.2 * max(computed.impacts), 150)
     figure, axes = subplots(figsize=(7.6, 4.6))
     for name in LAWS:
@@ -58,16 +58,17 @@ def restitution_figure(computed: Computed) -> Figure:
 
 @styled()
 def collisions_figure(computed: Computed) -> Figure:
-    """Draw force over time, a panel for each speed.
+    """Draw force versus time, a panel for each speed.
 
-    Finite elements with and without plastic flow, Hertz, and the paper's law in LIGGGHTS.
+    The curves are finite elements with and without plastic flow, Hertz, and the paper's law in
+    LIGGGHTS.
     """
     speeds = list(computed.impacts)
     figure, panels = subplots(1, len(speeds), figsize=(2.6 * len(speeds) + 0.4, 3.4), squeeze=False)
     for axes, speed in zip(panels[0], speeds, strict=True):
         for law, colour in (("hertz", GREY), (LAWS[0], law_colour(LAWS[0]))):
             loop = computed.run(law, speed).loop
-            # Last frame before contact, while the sphere moves toward the plane.
+            # Select the last frame before contact, while the sphere moves toward the plane.
             before = loop[loop["force"] == 0].iloc[0]
             first_touch = before["time"] - before["overlap"] / before["speed"]
             time = 1e6 * (loop["time"] - first_touch)
@@ -91,7 +92,7 @@ def collisions_figure(computed: Computed) -> Figure:
 
 @styled()
 def loops_figure(computed: Computed) -> Figure:
-    """Draw force over approach with an unloading from each force: finite elements and laws."""
+    """Draw force versus approach with an unloading from each force: finite elements and laws."""
     pressing = computed.pressing
     tops = pressing.unloadings["approach"].to_numpy()
     figure, panels = subplots(1, 2, figsize=(8.6, 3.8), width_ratios=(1, 1))
@@ -111,7 +112,7 @@ def loops_figure(computed: Computed) -> Figure:
 
 @styled()
 def contact_radius_figure(computed: Computed) -> Figure:
-    """Draw contact radius over force during loading: finite elements, laws and Hertz."""
+    """Draw contact radius versus force during loading: finite elements, laws and Hertz."""
     loading = first_loading_of(computed.pressing.history)
     force = loading["force"].to_numpy()
     overlap = np.linspace(0, 1.6 * loading["approach"].max(), 4000)
@@ -135,7 +136,7 @@ def contact_radius_figure(computed: Computed) -> Figure:
 
 @styled()
 def pressure_figure(computed: Computed) -> Figure:
-    """Draw pressure over distance from the axis at each largest force, plastic and elastic."""
+    """Draw pressure versus distance from the axis at each largest force, plastic and elastic."""
     plastic, elastic = computed.pressing, computed.elastic_pressing
     strength = plastic.material.hardening.yield_strength
     forces = plastic.unloadings["force"]

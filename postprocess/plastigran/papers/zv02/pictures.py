@@ -19,9 +19,9 @@ from plastigran.plot.movie import Movie
 from plastigran.plot.style import COLOURS, styled, subplots
 
 MM = 1e3
-#: Plastic strain at the edges that are drawn: here a hundredth of the yield strain.
+#: Plastic strain at the drawn edge of the plastic zone: a hundredth of the yield strain.
 ZONE_EDGE = 1e-5
-#: Numbers of the largest forces in the figure of stress.
+#: Indices of the largest forces in the figure of stress.
 FORCES_SHOWN = [0, 1, 3, -1]
 
 
@@ -100,7 +100,7 @@ def plastic_zone_figure(computed: Computed) -> Figure:
 
 
 def collision_movie(computed: Computed) -> Movie:
-    """Make a movie of von Mises stress near the contact and force over approach in an impact."""
+    """Make a movie of an impact: von Mises stress near the contact, and force versus approach."""
     impact = computed.impacts[SHOWN]
     strength = impact.material.hardening.yield_strength
     history = impact.history

@@ -52,7 +52,7 @@ def onset(computed: Computed) -> pd.DataFrame:
     from_axis, depth = place / pressing.unloadings["contact_radius"].iloc[0]
     poisson = MATERIAL.poissons_ratio
     hertz_factor = contact_laws.hertz_yield_pressure_factor(poisson)
-    # Depth/a of the largest von Mises stress on the axis under Hertz' pressure.
+    # Find the depth/a of the largest von Mises stress on the axis under Hertz' pressure.
     z = np.linspace(0.2, 1, 8001)
     stress = 1.5 / (1 + z**2) - (1 + poisson) * (1 - z * np.arctan(1 / z))
     hertz_depth = z[np.argmax(stress)]
@@ -101,8 +101,8 @@ def elastic(computed: Computed) -> pd.DataFrame:
 def _impacts(computed: Computed, name: str, scale: float = 1.0) -> pd.DataFrame:
     """Return one quantity of the impacts, one row per speed.
 
-    Columns are the paper if it has this quantity, finite elements, every law by its energy balance,
-    and the paper's law in LIGGGHTS.
+    Columns are the paper (if it gives this quantity), the finite elements, every law by its energy
+    balance, and the paper's law in LIGGGHTS.
     """
     paper = finite_elements().set_index("speed")
     rows = []
@@ -139,9 +139,9 @@ def duration(computed: Computed) -> pd.DataFrame:
 
 
 def restitution(computed: Computed) -> pd.DataFrame:
-    """Return the restitution as `_impacts`, with the restitution by the mean velocity of nodes.
+    """Return the restitution as `_impacts`, with the restitution from the mean velocity of nodes.
 
-    The latter oscillates while the sphere flies.
+    The nodal restitution oscillates while the sphere flies.
     """
     table = _impacts(computed, "coefficient_of_restitution")
     by_nodes = [nodal_restitution(impact) for impact in computed.impacts.values()]
@@ -181,7 +181,7 @@ def pressed(computed: Computed) -> pd.DataFrame:
 
 
 def _press_law(name: str, force: float) -> dict[str, float]:
-    """Return a law's response to loading to `force` [N] and unloading, as `Pressing.unloadings`."""
+    """Return a law's results of loading to `force` [N] and unloading, as `Pressing.unloadings`."""
     law = contact_laws.LAWS[name](PAIR)
     overlap = brentq(
         lambda overlap: law.respond(RADIUS, overlap, law.State()).force - force,

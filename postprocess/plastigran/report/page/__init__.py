@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""One HTML page for runs of any kind, without network access or other files.
+"""One HTML page for results of any kind. The page needs no network access and no other files.
 
-`collect` finds results. The `*_section` modules decide what a page shows of a folder. The
-`*_charts` modules, `trust` and `movie` make the data of its charts and of its view of grains.
-`charts` draws charts, and `render` writes the page from `templates`, with the styles and scripts of
+`collect` finds results. The `*_section` modules decide what the page shows of a folder. The
+`*_charts` modules and `trust` make the data of charts, `movie` the data of the view of grains.
+`charts` draws charts. `render` writes the page from `templates`, with the styles and scripts of
 `assets`.
 """
 

@@ -33,7 +33,7 @@ def ledger_chart(series: pd.DataFrame, checks: pd.DataFrame) -> Chart | None:
     limits = checks.loc[checks["name"] == LEDGER_CHECKS[0], "limit"]
     limit = float(limits.iloc[0]) if len(limits) else LEDGER
     adhesion = (
-        " With adhesion, the surface energy of contacts lies below zero, and contacts that form or "
+        " With adhesion, the surface energy of contacts is negative, and contacts that form or "
         "break lose energy."
         if terms != ENERGIES and series[ADHESION].any(axis=None)
         else ""
@@ -41,7 +41,7 @@ def ledger_chart(series: pd.DataFrame, checks: pd.DataFrame) -> Chart | None:
     return Chart(
         name="ledger",
         views={"": ledger_panels(_thin(series), total, limit)},
-        description="shares of the energy input, stacked over time, and the balance error",
+        description="shares of the energy input versus time, stacked, and the balance error",
         caption=f"Shares of the energy input, {energy_text(total)}: kinetic energy, energy stored "
         "in contacts, and energy dissipated by yielding, friction and viscosity. The lower panel "
         f"shows the balance error. Dotted lines are its limit, {100 * limit:.2g} %.{adhesion}",
@@ -51,7 +51,7 @@ def ledger_chart(series: pd.DataFrame, checks: pd.DataFrame) -> Chart | None:
 
 
 def series_chart(series: pd.DataFrame) -> Chart | None:
-    """Return a chart of each column of the log over time, with its theory if there is one."""
+    """Return a chart of each column of the log versus time, with its theory if there is one."""
     if "time" not in series or len(series) < 2:
         return None
     series = _thin(series)
@@ -71,8 +71,8 @@ def series_chart(series: pd.DataFrame) -> Chart | None:
     return Chart(
         name="series",
         views=views,
-        description="one column of the log over time",
-        caption="A column of the log that the deck wrote. A dashed line is theory.",
+        description="one column of the log versus time",
+        caption="A column of the log that the deck wrote. Dashed lines are theory.",
         menu="Column of the log",
         height=360,
         by_time=True,

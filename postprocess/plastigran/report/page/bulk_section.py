@@ -37,7 +37,7 @@ from plastigran.report.page.sections import Section, number, span, version_facts
 
 #: Settings shown at the top of the section.
 _HEAD = ("law", "material", "radius", "timestep")
-#: Settings that are read from the log, because a user's deck may name them differently.
+#: Settings that the page takes from the log, because a user's deck may name them differently.
 _FROM_LOG = ("law", "timestep")
 #: Unit systems whose time is in seconds.
 _SECONDS = ("si", "cgs")
@@ -90,7 +90,7 @@ def make(results: Results) -> Section:
 
 
 def _progress(folder: Path, log: str) -> str:
-    """Return how far an unfinished run came."""
+    """Return a sentence on the last step of an unfinished run."""
     if not log:
         return f"The run has not started: {LOG} is missing or empty."
     at = LogFollower(folder / LOG).read()
@@ -143,7 +143,7 @@ def _clock(timestep: float | None, run: BulkRun | None) -> Clock:
     """Return a function from step to time as in the charts of the run [s]; None if unknown.
 
     A supplied deck has one time step, and its charts may count time from a later step. A user's
-    deck may have several time steps; its series contains every run.
+    deck may have several time steps; its series contains all its `run` commands.
     """
     series = run.series if run else pd.DataFrame()
     timed = len(series) > 0 and {"step", "time"} <= set(series)
@@ -174,7 +174,7 @@ def _facts(
     declared: dict[str, Declaration],
     log_facts: dict[str, str],
 ) -> dict[str, str]:
-    """Return the facts of a run; those of the log are for a user's deck."""
+    """Return the facts of a run. Facts from the log are for a user's deck."""
     settings, user_deck = record["settings"], record.get("own")
     facts = {"deck": record["deck"]}
     for name in _HEAD:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Interactive charts: panels drawn with plotly, without colors, which the page adds."""
+"""Interactive charts: panels drawn with plotly. The page adds the colors."""
 
 from __future__ import annotations
 
@@ -28,17 +28,17 @@ LOOKS = {
 
 @attrs.frozen(eq=False, kw_only=True)
 class Chart:
-    """Chart with a caption, or several charts of which the reader chooses one.
+    """Chart with a caption. If there are several views, the reader chooses one in a menu.
 
     Attributes:
         name: Name of the chart, unique in its section.
-        views: Panels of each chart, one or two with the same x axis, by the words in the menu.
+        views: One or two panels with the same x axis for each view, by the words in the menu.
         description: Description for screen readers.
         caption: One or two sentences below the chart.
         menu: Label of the menu.
         start: View that is shown first; by default the first of `views`.
         height: Height of the chart [px].
-        by_time: Whether a box shows the values of all curves at the time under the pointer.
+        by_time: Whether a box shows the values of all curves at the time at the mouse pointer.
     """
 
     name: str
@@ -93,13 +93,13 @@ def draw(panels: Sequence[Panel], by_time: bool = False) -> go.Figure:
 
 
 def _logarithmic() -> dict[str, Any]:
-    """Return the settings of a logarithmic axis with a line for each decade."""
+    """Return the settings of a logarithmic axis with a grid line for each decade."""
     minor = {"ticks": "outside", "ticklen": 3}
     return {"type": "log", "dtick": 1, "tickformat": "~g", "minor": minor}
 
 
 def _trace(panel: Panel, curve: Curve, by_time: bool) -> go.Scatter:
-    """Return the trace of a curve. Its `meta` gives the law or color index to the page."""
+    """Return the trace of a curve. Its `meta` contains the law or the color index for the page."""
     numeric = curve.x.dtype.kind in "iuf"
     mode, marker, line = LOOKS[curve.look]
     if curve.look == "line":

@@ -16,7 +16,7 @@ from plastigran.experiments.record import STUDY, TABLE
 DEPTH = 4
 #: Subfolders that are parts of a run and are not searched.
 _PARTS_OF_RUNS = {"runs", "frames", "figures", "deck"}
-#: Categories of results in the order of the page. Categories with a switch for laws come first.
+#: Categories of results, in the order of the page. Categories whose laws can be hidden come first.
 ORDER = ("sweep", "tables", "nothing", "bulk")
 #: Suffixes of the files that other commands write.
 _SUFFIXES = {".csv", ".png", ".svg", ".gif", ".in"}
@@ -75,7 +75,7 @@ def _category(folder: Path) -> str | None:
 
 
 def _start_time(results: Results) -> tuple[float, str]:
-    """Return the time of the oldest file, and the title for equal times."""
+    """Return the time of the oldest file, and the title to sort equal times."""
     times = [file.stat().st_mtime for file in results.folder.iterdir() if file.is_file()]
     return min(times, default=0.0), results.title
 

@@ -7,7 +7,7 @@ import colorsys
 
 from matplotlib.colors import to_hex, to_rgb
 
-#: Smallest relative luminance of a line on a dark background, for a contrast of 4.5.
+#: Smallest relative luminance of a line on a dark background, for a contrast ratio of 4.5.
 LEAST = 0.24
 
 

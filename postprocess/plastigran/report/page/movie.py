@@ -17,20 +17,20 @@ from plastigran.plot.frame_files import Frame, SnapshotError, find_frames
 from plastigran.plot.frames import GrainFrame, read_frames
 from plastigran.plot.quantities import scale
 
-#: Largest total number of grains in all frames; each takes 14 bytes before compression.
+#: Largest total number of grains in all frames. A grain takes 14 bytes before compression.
 MOST_GRAINS = 90_000
 #: Largest number of damaged files that a sentence names.
 MOST_NAMED = 5
-#: Percentile of the values at the end of the color scale; a few grains may lie far beyond.
+#: Percentile of the values at the end of the color scale. A few grains may have far larger values.
 SCALE_PERCENTILE = 99.5
 _LARGEST = 65535  # largest 16-bit number
-#: Quantities that can color grains: attribute of a frame, name, and column of the unit.
+#: Quantities that can color grains: attribute of a frame, name, and column with the same unit.
 COLOURED = {
     "plastic_work": ("plastic work", "plastic"),
     "force": ("largest contact force", "force"),
     "speed": ("speed", "speed"),
 }
-#: Function from step to time as in the charts [s]; None to show steps instead.
+#: Function from step number to the time of the charts [s]; None to show step numbers instead.
 Clock = Callable[[int], float] | None
 
 
@@ -39,11 +39,11 @@ class GrainMovie:
     """Packed frames of a run.
 
     Attributes:
-        data: A line of JSON and 16-bit numbers, see `pack`.
+        data: A line of JSON followed by 16-bit numbers, packed by `pack`.
         frames: Number of frames.
         colours: Words for the quantities that can color grains, by name.
         walls: Whether there are walls.
-        caption: One or two sentences.
+        caption: Caption of the view.
     """
 
     data: str
@@ -62,7 +62,7 @@ def pack_movie(folder: Path, clock: Clock) -> tuple[GrainMovie | None, list[str]
     """Pack the frames of a run.
 
     Returns:
-        The movie, None without frames; and a sentence on damaged frames.
+        The movie, or None without frames; and a sentence if frames are damaged.
 
     Raises:
         SnapshotError: A frame lacks a column, no frame has grains, or pyvista is not installed.
@@ -82,8 +82,8 @@ def pack_movie(folder: Path, clock: Clock) -> tuple[GrainMovie | None, list[str]
         raise SnapshotError("no frame contains grains")
     frames = [_thin(frame, stride) for frame in frames]
     parts = [f"{len(frames)} of {len(files)} frames"] if len(selected) < len(files) else []
-    parts += [f"every {stride}th grain"] if stride > 1 else []
-    excerpt = f" The page holds {' and '.join(parts)}." if parts else ""
+    parts += [f"one of {stride} grains"] if stride > 1 else []
+    excerpt = f" The page contains {' and '.join(parts)}." if parts else ""
     colours = {
         name: words
         for name, (words, _) in COLOURED.items()
@@ -94,14 +94,14 @@ def pack_movie(folder: Path, clock: Clock) -> tuple[GrainMovie | None, list[str]
         len(frames),
         colours,
         any(len(frame.walls) for frame in frames),
-        f"{count} grains in the last frame, to scale. Drag to rotate, pinch or scroll with Ctrl to "
-        f"zoom, point at a grain for its values.{excerpt}",
+        f"The last frame has {count} grains, drawn to scale. Drag to rotate. Pinch, or scroll with "
+        f"Ctrl, to zoom. Point at a grain to see its values.{excerpt}",
     )
     return movie, missing
 
 
 def _without_damaged_ends(files: list[Frame]) -> tuple[list[Frame], int, list[Path]]:
-    """Return frames with complete ends, the larger number of grains there, and damaged files."""
+    """Return frames whose first and last are complete, their most grains, and damaged files."""
     most, damaged = 0, []
     for end in (-1, 0):
         while files:
@@ -115,7 +115,7 @@ def _without_damaged_ends(files: list[Frame]) -> tuple[list[Frame], int, list[Pa
 
 
 def _left_out(damaged: list[Path]) -> list[str]:
-    """Return a sentence that names the files of frames that are left out."""
+    """Return a sentence that names the files of damaged frames."""
     names = sorted({path.name for path in damaged}, key=lambda name: (len(name), name))
     if not names:
         return []
@@ -128,9 +128,10 @@ def _left_out(damaged: list[Path]) -> list[str]:
 
 
 def _select(files: list[Frame], most: int) -> tuple[list[Frame], int]:
-    """Select frames of up to `most` grains within `MOST_GRAINS`, including the first and last.
+    """Select frames with at most `MOST_GRAINS` grains in total, including the first and last.
 
-    If a single frame has more grains, also return the stride with which they are thinned.
+    A frame has up to `most` grains. If a single frame exceeds `MOST_GRAINS`, the returned stride is
+    larger than one: the page then contains one of `stride` grains.
     """
     count = max(1, MOST_GRAINS // max(most, 1))
     stride = max(1, -(-most // MOST_GRAINS))
@@ -149,7 +150,7 @@ def _thin(frame: GrainFrame, stride: int) -> GrainFrame:
 
 
 def _numbers(frames: Sequence[GrainFrame], colours: list[str], clock: Clock) -> bytes:
-    """Return frames as a line of JSON and 16-bit numbers, for `unpackFrames` in movie.js."""
+    """Return frames as a line of JSON and 16-bit numbers, read by `unpackFrames` in movie.js."""
     corners = np.concatenate([np.r_[f.positions, f.walls.reshape(-1, 3)] for f in frames])
     low, size = corners.min(axis=0), max(float(np.ptp(corners, axis=0).max()), 1e-300)
     radius = max(float(f.radii.max(initial=0)) for f in frames) or 1.0

@@ -12,15 +12,15 @@ from xml.etree import ElementTree
 import attrs
 from PIL import Image, ImageSequence
 
-#: Largest SVG file [bytes] in a page; for a larger file, the bitmap is used.
+#: Largest SVG file in a page [bytes]. The page contains the bitmap instead of a larger file.
 LARGEST_SVG = 120_000
-#: Largest bitmap [bytes] that a page contains.
+#: Largest bitmap in a page [bytes].
 LARGEST_BITMAP = 500_000
 #: Width / height above which a picture takes the full width of the page.
 WIDE = 1.7
-#: MIME types by suffix, in the order of preference.
+#: MIME types by suffix, preferred types first.
 _MIME_TYPES = {".svg": "image/svg+xml", ".png": "image/png", ".gif": "image/gif"}
-#: Exceptions of damaged pictures; a damaged SVG file raises SyntaxError.
+#: Exceptions that damaged pictures raise. A damaged SVG file raises SyntaxError.
 _DAMAGE = (OSError, SyntaxError, ValueError, IndexError, Image.DecompressionBombError)
 
 
@@ -31,8 +31,8 @@ class Picture:
     Attributes:
         name: Name of the file in words.
         source: Content as a data URL.
-        light: Whether the background is white; the page darkens it in its dark mode.
-        wide: Whether the figure takes the width of the page.
+        light: Whether the background is white. The page darkens such a figure in its dark mode.
+        wide: Whether the figure takes the full width of the page.
     """
 
     name: str
@@ -42,7 +42,7 @@ class Picture:
 
 
 def read_pictures(folder: Path, replaced: Collection[str] = ()) -> tuple[list[Picture], list[str]]:
-    """Return the figures in a folder, and sentences on those left out.
+    """Return the figures in a folder, and sentences on figures that are omitted.
 
     `replaced` are names without suffix of figures that the page shows in another form.
     """
@@ -77,7 +77,7 @@ def _choose(folder: Path, stem: str) -> Path | None:
 
 
 def _is_wide(file: Path) -> bool:
-    """Return whether a picture takes the page's width. Read it fully; errors are in `_DAMAGE`."""
+    """Read a picture fully, and return whether it is wide. Raise `_DAMAGE` if it is damaged."""
     if file.suffix == ".svg":
         content = file.read_bytes()
         ElementTree.fromstring(content)

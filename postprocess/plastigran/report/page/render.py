@@ -45,7 +45,7 @@ def write_report(
     Args:
         folders: Folders of runs, or folders that contain such folders.
         path: Page to write. An earlier report is replaced when the new one is complete.
-        title: Headline; by default the names of the folders.
+        title: Heading of the page; by default the names of the folders.
         force: Whether to overwrite a file that is not a report.
 
     Returns:
@@ -96,7 +96,7 @@ def make_section(results: Results) -> Section:
 
 
 def render(sections: list[Section], title: str) -> str:
-    """Return the page as text, with the sections in the given order below the headline."""
+    """Return the page as text, with the sections in the given order below the title."""
     sections = [attrs.evolve(section, name=f"run-{k}") for k, section in enumerate(sections)]
     charts = {f"{s.name}-{chart.name}": chart.to_json() for s in sections for chart in s.charts}
     law_colours = {law: law_number(law) for section in sections for law in section.laws}
@@ -138,7 +138,7 @@ def _environment() -> Environment:
 
 
 def _percent(fraction: float | None) -> str:
-    """Return a fraction in per cent, two digits; a dash for None."""
+    """Return a fraction in per cent with two digits; a dash for None."""
     if fraction is None:
         return "–"
     value = 100 * fraction

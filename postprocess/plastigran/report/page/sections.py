@@ -24,8 +24,8 @@ class Table:
         title: Title of the table.
         head: Names of the columns.
         rows: Cells.
-        laws: Law of each row, or None; the page shows and hides rows with their law.
-        open: Whether the table is shown unfolded.
+        laws: Law of each row, or None. The page hides the rows of laws that are switched off.
+        open: Whether the table is unfolded at first.
     """
 
     title: str
@@ -37,7 +37,7 @@ class Table:
 
 @attrs.frozen(kw_only=True)
 class Section:
-    """Part of a page on one folder.
+    """Section of a page, with the results of one folder.
 
     Attributes:
         results: Folder of the results.
@@ -45,8 +45,8 @@ class Section:
         verdict: State in a few words.
         missing: Sentences on missing results and failures.
         notes: Sentences on quantities that the deck could not measure or check.
-        warnings: Warnings of LIGGGHTS, or on the use of a law.
-        facts: Facts on the run, by name.
+        warnings: Warnings of LIGGGHTS, and warnings on the use of a law.
+        facts: Facts about the run, by name.
         settings: Further settings: name, value with unit, meaning.
         checks: Rows of `BulkRun.checks`.
         charts: Charts in the order of the page.
@@ -90,7 +90,7 @@ def empty_section(results: Results) -> Section:
 
 
 def cells(table: pd.DataFrame, title: str, heads: dict[str, str] | None = None) -> Table:
-    """Return a table of numbers as text; `heads` are column titles that differ from the names."""
+    """Return a table with its numbers as text. `heads` are titles that replace column names."""
     rows = [[number(value) for value in row] for row in table.itertuples(index=False)]
     laws = [str(law) for law in table["law"]] if "law" in table else None
     head = [(heads or {}).get(str(name), str(name)) for name in table]
@@ -118,7 +118,7 @@ def span(smallest: float, largest: float) -> str:
 
 
 def version_facts(versions: dict[str, str]) -> dict[str, str]:
-    """Return versions as short facts that distinguish two runs."""
+    """Return versions as short facts, long enough to distinguish two runs."""
     facts = {}
     for name, text in versions.items():
         if name == "plugin" and " sha256 " in text:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Charts of a sweep: measured quantities with lines of theory, and force-overlap loops."""
+"""Charts of a sweep: measured quantities with theory as lines, and force-overlap loops."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ from plastigran.plot.chart import DASHES
 from plastigran.plot.quantities import PREDICTED, words
 from plastigran.report.page.charts import Chart
 
-#: Relative tolerance for equal radii and speeds; trajectories have 17 digits.
+#: Relative difference below which radii or speeds are equal. Trajectories have 17 digits.
 TOLERANCE = 1e-9
 #: Columns whose values are in the name of a run's folder.
 LABELLED = ("geometry", "material", "law", "wall", "options")
@@ -35,9 +35,9 @@ LOOP_POINTS = 80
 
 
 def measured_chart(table: pd.DataFrame, materials: Mapping[str, Material]) -> Chart | None:
-    """Return the chart of every predicted quantity over speed or angle; None without predictions.
+    """Return the chart of the predicted quantities versus speed or angle; None without predictions.
 
-    `materials` are those that the sweep recorded, as for `central_case`.
+    `materials` are the materials that the sweep recorded, as for `central_case`.
     """
     abscissa = _abscissa(table)
     quantities = [
@@ -53,7 +53,7 @@ def measured_chart(table: pd.DataFrame, materials: Mapping[str, Material]) -> Ch
     return Chart(
         name="measured",
         views={words(name).capitalize(): [panel] for name, panel in panels.items()},
-        description=f"{', '.join(map(words, quantities))} over {words(abscissa)}, one curve per "
+        description=f"{', '.join(map(words, quantities))} versus {words(abscissa)}, one curve per "
         "law",
         caption="Points are results of LIGGGHTS with a law; lines are the law alone. If points lie "
         "on their line, the run is verified. The accuracy of the law itself is shown below."
@@ -64,7 +64,7 @@ def measured_chart(table: pd.DataFrame, materials: Mapping[str, Material]) -> Ch
 
 
 def _abscissa(table: pd.DataFrame) -> str | None:
-    """Return the column of the x axis: the number with most values, else a word that varies."""
+    """Return the column of the x axis: that of numbers with most values, else varying words."""
     numbers = [name for name in ("speed", "angle", "incident_angle", "radius") if name in table]
     others = [name for name in ("geometry", "material", "wall", "options") if name in table]
     counts = {name: table[name].nunique() for name in numbers + others}
@@ -82,9 +82,9 @@ def _dash_legend(table: pd.DataFrame, abscissa: str) -> str:
 
 
 def loops_chart(folder: Path, table: pd.DataFrame) -> tuple[Chart | None, list[str]]:
-    """Return the chart of force over overlap, a view for each speed, a loop for each law.
+    """Return the chart of force versus overlap: a view for each speed, a loop for each law.
 
-    It is None without trajectories. Also return a sentence if some of them cannot be read.
+    The chart is None without trajectories. A sentence follows if some trajectories cannot be read.
     """
     loops, damaged = [], []
     if not {"geometry", "law", "speed", "material", "radius"} <= set(table):
@@ -101,9 +101,9 @@ def loops_chart(folder: Path, table: pd.DataFrame) -> tuple[Chart | None, list[s
     chart = Chart(
         name="loops",
         views={name: [panel] for name, panel in panels.items()},
-        description="normal force over overlap during an impact, one loop per law",
-        caption="The left side of a loop is loading, the right side unloading. The area between "
-        "them is the dissipated energy. The loop ends on the axis at the residual overlap.",
+        description="normal force versus overlap during an impact, one loop per law",
+        caption="The left branch of a loop is loading, the right branch unloading. The area "
+        "between them is the dissipated energy. The loop ends on the axis at the residual overlap.",
         menu="Impact",
         start=list(panels)[len(panels) // 2],
         height=440,

@@ -44,7 +44,7 @@ def make(results: Results) -> Section:
     if len(table) < len(runs) and (len(table) or not missing):
         missing.append(
             f"{TABLE} has {len(table)} of {len(runs)} impacts. The others failed, were stopped, "
-            "are still running, or are left out."
+            "are still running, or have a damaged row."
         )
     missing += _errors(runs)
     materials, damaged = _materials(study)
@@ -57,7 +57,7 @@ def make(results: Results) -> Section:
         folder, {figure for figure, chart in _REPLACED.items() if chart in drawn}
     )
     missing += [
-        f"The constants of {name} are not available. They decide on hardening, so the error "
+        f"The constants of {name} are not available. Without its hardening, the error of the laws "
         "compared with finite elements is unknown."
         for name in sorted({name for entry in by_law for name in entry.unknown_materials})
     ]
@@ -93,7 +93,7 @@ def _read_table(path: Path) -> tuple[pd.DataFrame, list[str]]:
             raise ValueError(f"column {lost[0]} is missing")
         return table, left_out
     except (OSError, ValueError) as error:
-        return pd.DataFrame(), [f"{TABLE} is damaged and left out: {error}."]
+        return pd.DataFrame(), [f"{TABLE} is damaged and not shown: {error}."]
 
 
 def _materials(study: dict) -> tuple[dict[str, Material], list[str]]:
@@ -153,7 +153,7 @@ def _has_usual(table: pd.DataFrame) -> bool:
 
 
 def _errors(runs: list[Path]) -> list[str]:
-    """Return the error messages of LIGGGHTS, each once."""
+    """Return the error messages of LIGGGHTS without repetitions."""
     errors: dict[str, str] = {}
     for run in runs:
         log = run / LOG
@@ -163,7 +163,7 @@ def _errors(runs: list[Path]) -> list[str]:
 
 
 def _dented(table: pd.DataFrame, materials: Mapping[str, Material]) -> list[str]:
-    """Return a sentence if the wall yields, but the law is for a sphere that yields."""
+    """Return a sentence if the wall yields, but the law is for a yielding sphere."""
     rows = table[~table["wall"].isin(WALLS)] if "wall" in table else table.iloc[:0]
     cases = (central_case(row, materials) for _, row in rows.iterrows())
     return [sentence] if (sentence := dented(case for case in cases if case)) else []
@@ -181,7 +181,7 @@ def _facts(study: dict, table: pd.DataFrame, runs: list[Path]) -> dict[str, str]
             continue
         values = table[name].unique()
         if name == "wall" and len(values) > 1:
-            # Leave out the entry for two spheres, which have no wall.
+            # Omit the entry of impacts between two spheres, which have no wall.
             values = [wall for wall in values if wall != NO_WALL]
         unit = {"radius": " m", "speed": " m/s", "angle": "°"}.get(name, "")
         if table[name].dtype.kind in "if":

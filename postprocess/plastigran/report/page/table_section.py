@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Section of tables and figures of other commands: validation, papers, a calibrated metal."""
+"""Section with the tables and figures of other commands: validation, papers, calibration."""
 
 from __future__ import annotations
 

@@ -2,7 +2,7 @@
 """Verification and validation of the laws of a sweep.
 
 Verification compares runs of LIGGGHTS with the theory of the law. Validation compares the law with
-finite elements of spheres; its errors are those of `plastigran validate`.
+finite elements of spheres. The errors of the validation are those of `plastigran validate`.
 """
 
 from __future__ import annotations
@@ -39,10 +39,11 @@ class Trust:
         law: Name of the law.
         verified: Largest difference between runs and theory, by quantity.
         validated: Rms and largest error compared with finite elements at these speeds, by quantity.
-        unknown_materials: Materials whose constants are not available; they hide the error.
+        unknown_materials: Materials whose constants are not available, so that the error is
+            unknown.
         not_validated: Impacts without known error: faster than the finite elements, on a metal
             wall, or with options of the law.
-        left_range_at: Lowest speed at which the law was beyond its range [m/s].
+        left_range_at: Lowest speed at which the law was used outside its range [m/s].
         law_range: Range of the law in words.
     """
 
@@ -58,7 +59,7 @@ class Trust:
 def trust(table: pd.DataFrame, materials: Mapping[str, Material]) -> list[Trust]:
     """Return the known errors of each law in the results table of a sweep.
 
-    `materials` are those that the sweep recorded, as for `central_case`.
+    `materials` are the materials that the sweep recorded, as for `central_case`.
     """
     if "law" not in table:
         return []
@@ -93,9 +94,9 @@ def _verified(rows: pd.DataFrame, quantity: str) -> float | None:
 def _validated(
     rows: pd.DataFrame, materials: Mapping[str, Material]
 ) -> tuple[Errors, list[str], list[str]]:
-    """Return errors by quantity, materials that are not available, and impacts without error.
+    """Return errors by quantity, materials that are not available, and impacts of unknown error.
 
-    The errors are the largest of the bodies that yield.
+    The error of a quantity is the largest error of the impacts that cause yield.
     """
     errors, unknown_materials, not_validated = [], [], []
     if {"speed_ratio", "material", "geometry", "radius"} <= set(rows):
@@ -125,7 +126,7 @@ def _validated(
 
 
 def _describe(case: CentralImpact) -> str:
-    """Return the material of an impact, with its wall and options if they are unusual."""
+    """Return the material of an impact, with its metal wall and the options of its law, if any."""
     wall = f" {on_wall(case.wall_name)}" if case.wall else ""
     return f"{title(case.material.name)}{wall}{f', {case.options}' if case.options else ''}"
 
@@ -133,8 +134,8 @@ def _describe(case: CentralImpact) -> str:
 def _expected_error(fastest: CentralImpact, ratios: pd.Series) -> ExpectedError:
     """Return the expected error of a law for the speeds up to `fastest`.
 
-    There is none for options of a law and for metal walls: the finite elements are of spheres on
-    a rigid plane, for the default laws.
+    It is unknown for options of a law and for metal walls, because the errors are those of laws
+    with default options, compared with spheres on a rigid plane.
     """
     ends = ratios.min(), ratios.max()
     if fastest.options or fastest.wall:
@@ -146,7 +147,7 @@ def _expected_error(fastest: CentralImpact, ratios: pd.Series) -> ExpectedError:
 
 
 def verification_chart(table: pd.DataFrame) -> Chart | None:
-    """Return the chart of differences from theory over speed; None if no law has a yield speed."""
+    """Return the chart of differences from theory; None if no law has a yield speed."""
     if "speed_ratio" not in table or table["speed_ratio"].isna().all():
         return None
     yielding = table.dropna(subset=["speed_ratio"]).sort_values("speed_ratio")
@@ -166,7 +167,7 @@ def verification_chart(table: pd.DataFrame) -> Chart | None:
     return Chart(
         name="verification",
         views=views,
-        description="difference between runs of LIGGGHTS and the law's own theory, over speed",
+        description="difference between runs of LIGGGHTS and the theory of the law, versus speed",
         caption="Verification: difference between runs of LIGGGHTS and the equations of their law. "
         "It is the error of the code and of the time step.",
         menu="Quantity",
@@ -174,9 +175,9 @@ def verification_chart(table: pd.DataFrame) -> Chart | None:
 
 
 def validation_chart(table: pd.DataFrame) -> Chart | None:
-    """Return the chart of errors of laws against finite elements over speed; None without errors.
+    """Return the chart of the laws' errors compared with finite elements; None without errors.
 
-    The columns of the table are those of `plastigran.calibration.expected_errors.errors_table`.
+    The table has the columns of `plastigran.calibration.expected_errors.errors_table`.
     """
     remarks = [
         f"v/v<sub>Y</sub> {row.speed_ratio_from:.3g} to {row.speed_ratio_to:.3g}<br>law and finite "
@@ -196,15 +197,15 @@ def validation_chart(table: pd.DataFrame) -> Chart | None:
     return Chart(
         name="validation",
         views=views,
-        description="error of each law against finite elements of spheres, over speed",
-        caption="Validation: difference between the law and finite elements of spheres of many "
-        "metals, root mean square. It is the error of the law, however accurate the run.",
+        description="error of each law compared with finite elements of spheres, versus speed",
+        caption="Validation: root mean square difference between the law and finite elements of "
+        "spheres of many metals. It is the error of the law, however accurate the run.",
         menu="Quantity and metal",
     )
 
 
 def _panels(errors: pd.DataFrame) -> list[Panel]:
-    """Return the panel of a table with columns law, ratio (to the yield speed), error, remark."""
+    """Return the panel of a table with columns law, ratio (speed / yield speed), error, remark."""
     curves = [
         Curve(
             x=rows["ratio"].to_numpy(),

@@ -57,7 +57,7 @@ class Movie {
     this.draw();
   }
 
-  /** Show the frame of the slider in the chosen colours. */
+  /** Show the frame that the slider selects, in the chosen colors. */
   take() {
     const frame = this.frame = this.run.frames[Number(this.time.value)], colour = this.colour;
     this.drawing.show({ ...frame, values: frame.values[colour.name] });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Light or dark mode and the switches of laws. Events tell charts and views of changes.
+// Light or dark mode, and the switches of laws. Charts and views receive changes as events.
 const root = document.documentElement;
 const page = window.plastigran = { hidden: new Set(), charts: {}, colours: {}, laws: {}, lit: "light" };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Draws spheres and translucent walls with WebGL 2. Each sphere is a square that faces the viewer. Its
-// fragment shader computes surface, depth and light of the sphere, exact at any size.
+// Draws spheres and translucent walls with WebGL 2. Each sphere is a square that faces the viewer. The
+// fragment shader computes the sphere's exact surface, depth and light at any size.
 const VIEW = `
 uniform mat3 turn; uniform vec3 middle; uniform float size; uniform vec2 scale; uniform float reach;
 vec3 eye(vec3 place) { return turn * (place * size - middle); }
@@ -89,7 +89,7 @@ window.plastigran.Spheres = class {
     for (const name of ["WRAP_S", "WRAP_T"]) gl.texParameteri(gl.TEXTURE_2D, gl["TEXTURE_" + name], gl.CLAMP_TO_EDGE);
   }
 
-  /** Load a frame: 16-bit numbers, as fractions of the size of the run and of its largest values. */
+  /** Load a frame. Its 16-bit numbers are fractions of the size of the run or of its largest values. */
   show({ places, radii, values, walls }) {
     this.count = radii.length;
     this.corners = walls.length / 3;
