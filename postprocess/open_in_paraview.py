@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Open a bulk run's VTK frames in ParaView: grains by plastic work, force chains, meshes.
+"""Show the VTK frames of a bulk run in ParaView: grains colored by plastic work, contacts, meshes.
 
     paraview --script=postprocess/open_in_paraview.py    # from the run's folder
     pvpython postprocess/open_in_paraview.py RESULTS [picture.png]
 
-In ParaView itself: Tools, Python Shell, Run Script, with the run's folder as working directory.
+In ParaView, choose Tools, Python Shell, Run Script, with the run's folder as working directory.
 """
 
 import glob
@@ -16,7 +16,7 @@ from paraview import simple
 
 
 def series(folder, kind):
-    """Files of a kind in the order of their steps, as one source; None when there are none."""
+    """Return the files of a kind as one source, in the order of their steps; None if none exist."""
     numbered = {}
     for path in glob.glob(os.path.join(folder, "frames", kind + "_*.vtk")):
         step = re.fullmatch(kind + r"_(\d+)\.vtk", os.path.basename(path))
@@ -30,7 +30,7 @@ def series(folder, kind):
 
 
 def show(source, field, association, title):
-    """Show a source coloured by a field, with its scale."""
+    """Show a source colored by a field, with a color bar."""
     display = simple.Show(source)
     simple.ColorBy(display, (association, *field))
     display.RescaleTransferFunctionToDataRange(True)
@@ -43,12 +43,12 @@ def show(source, field, association, title):
 def main(folder, picture=None):
     grains, contacts, mesh = (series(folder, kind) for kind in ("grains", "contacts", "mesh"))
     if grains is None:
-        raise SystemExit(f"no frames in {folder}: run the deck with -v frames=10 or so")
+        raise SystemExit(f"{folder} contains no frames. Run the deck with -v frames=10")
     view = simple.GetActiveViewOrCreate("RenderView")
     simple.GetAnimationScene().UpdateAnimationUsingDataTimeSteps()
     simple.GetAnimationScene().GoToLast()
 
-    # A glyph of unit diameter, scaled by the radius twice over.
+    # The sphere glyph has a diameter of 1, so scale it by twice the radius.
     balls = simple.Glyph(registrationName="balls", Input=grains, GlyphType="Sphere")
     balls.GlyphType.ThetaResolution = balls.GlyphType.PhiResolution = 16
     balls.GlyphMode, balls.OrientationArray = "All Points", ["POINTS", "No orientation array"]
@@ -63,7 +63,7 @@ def main(folder, picture=None):
     if mesh is not None:
         wall = simple.Show(mesh)
         wall.Opacity = 0.3
-        wall.ColorArrayName = ["POINTS", ""]  # one colour
+        wall.ColorArrayName = ["POINTS", ""]  # use one color for the whole mesh
     view.CameraPosition, view.CameraFocalPoint = [0.5, -1.0, 0.45], [0.0, 0.0, 0.0]
     view.CameraViewUp = [0.0, 0.0, 1.0]
     view.ResetCamera()

@@ -12,7 +12,7 @@
     flow = pg.bulk("hopper", law="thornton", ranks=2)    # or pg.open("results/hopper")
     flow.series, flow.checks, flow.figures["hopper"]
 
-Public names are imported on first use to save start-up time. Type checkers see plain imports.
+Public names are imported on first use, which saves start-up time. Type checkers see plain imports.
 """
 
 from importlib import import_module

@@ -40,8 +40,8 @@ def cite(names: Iterable[str] | str = ()) -> str:
         names: Names of laws, or `rate_factor`; without names only the software.
 
     Returns:
-        The entry of the software and those of the sources, each once. A comment line before them
-        names each law whose only source is this software.
+        The entry of the software and the entries of the sources, each once. Comment lines before
+        them name the laws whose only source is this software.
 
     Raises:
         ValueError: A name has no entry; the message lists those that have one.

@@ -39,14 +39,15 @@ class Contact:
             `plastigran.RIGID`.
         radius: Radius of body a [m].
         radius_other: Radius of body b [m]; None for a flat.
-        mass_eff: m* [kg]; None for spheres, or cylinders of `cylinder_length`, with the densities
-            of the materials. A flat and a body without density do not move.
+        mass_eff: m* [kg]. By default, it is the value of spheres, or of cylinders of
+            `cylinder_length`, with the densities of the materials. A flat and a body without
+            density do not move.
         friction: Coefficient of friction [-].
         tangential: Name of the tangential law, for `oblique_impact`.
         rings: Number of rings of `partial_slip`, at most 8.
-        constants: Constants and options of the law. Constants that the material of a defines, or
-            of b if a is rigid, can be omitted. With `surface_energy`, a law that is elastic first
-            has the adhesion of JKR, as with `adhesion jkr` in a deck.
+        constants: Constants and options of the law. You can omit constants that the material of a
+            defines (the material of b if a is rigid). With `surface_energy`, a law that is elastic
+            before yield has the adhesion of JKR, as with `adhesion jkr` in a deck.
 
     Attributes:
         law: Law between the bodies, an instance of a class of `plastigran.laws.LAWS`.
@@ -147,13 +148,13 @@ class Contact:
 
     @property
     def yield_overlap(self) -> float:
-        """Overlap at which the metal first yields [m]; infinite for a law without yield.
+        """Overlap at which the weaker body first yields [m]; infinite for a law without yield.
 
-        Spheres: R* (pi p_y/(2 E*))^2, where the largest Hertzian pressure is p_y, the contact yield
-        pressure of the weaker body (Johnson, Contact Mechanics, 1985, sec. 6.1). Cylinders: where
-        the mean pressure is 1.5 sigma_Y (Katta & Polycarpou 2010, J. Tribol. 132). This value is
-        the same for all laws of a shape; the curve of a law may deviate from the elastic curve
-        earlier or later.
+        For spheres, it is R* (pi p_y/(2 E*))^2, where the largest Hertzian pressure equals the
+        contact yield pressure p_y of the weaker body (Johnson, Contact Mechanics, 1985, sec. 6.1).
+        For cylinders, the mean pressure is 1.5 sigma_Y there (Katta & Polycarpou 2010, J. Tribol.
+        132:041402). This overlap is the same for all laws for one shape; the curve of a law may
+        deviate from the elastic curve earlier or later.
 
         Raises:
             ValueError: The contact of a cylinder at yield is too large for the thickness of the
@@ -165,18 +166,19 @@ class Contact:
     def yield_force(self) -> float:
         """Force at `yield_overlap` [N]; infinite for a law without yield.
 
-        Spheres: pi^3 p_y^3 R*^2/(6 E*^2). Cylinders: 36 sigma_Y^2 R* L/(pi E*). Sources and errors
-        are as for `yield_overlap`.
+        For spheres, it is pi^3 p_y^3 R*^2/(6 E*^2); for cylinders, 36 sigma_Y^2 R* L/(pi E*).
+        Sources and errors are as for `yield_overlap`.
         """
         return self._yield()[0]
 
     @property
     def yield_speed(self) -> float:
-        """Closing speed of a central impact that just reaches `yield_overlap` [m/s].
+        """Closing speed v_y of a central impact that just reaches `yield_overlap` [m/s].
 
-        From 1/2 m* v_y^2 = W_y, the elastic work up to there; infinite for a law without yield.
+        It follows from 1/2 m* v_y^2 = W_y, the elastic work up to yield; for spheres, W_y = 2/5 F_y
+        overlap_y. It is infinite for a law without yield.
 
-        Source: Thornton 1997, J. Appl. Mech. 64:383, eq. 22: W_y = 2/5 F_y overlap_y for spheres.
+        Source: Thornton 1997, J. Appl. Mech. 64:383, eq. 22.
 
         Raises:
             ValueError: No body has a mass, or as for `yield_overlap`.
@@ -211,12 +213,12 @@ class Contact:
         return self.law.central_impact(self.radius_eff, self.mass_eff, speeds)
 
     def oblique_impact(self, speeds: ArrayLike, angles: ArrayLike) -> ObliqueOutcome:
-        """Return oblique impacts without spin before, with friction and the tangential law.
+        """Return oblique impacts of bodies without spin, with friction and the tangential law.
 
         Args:
             speeds: Relative speeds of the bodies before the impact [m/s].
-            angles: Angles between their velocity and the normal, 0 or more and below 90 [degrees].
-                Speeds and angles broadcast together.
+            angles: Angles between the relative velocity and the normal, 0 or more and below 90
+                [degrees]. Speeds and angles broadcast together.
 
         Raises:
             ValueError: A value is out of range, no body has a mass, or the law does not support
@@ -245,7 +247,7 @@ class Contact:
             return oblique_impacts(law, self.tangential, *bodies, speeds, angles)
 
         flat = speeds.ravel(), angles.ravel()
-        if self.pair.rate_coefficient:  # each impact has its yield strength
+        if self.pair.rate_coefficient:  # each impact has a different yield strength
             parts = [
                 compute(self.law.at_impact(self.radius_eff, float(rate)), *np.atleast_1d(*impact))
                 for rate, *impact in zip(closing.ravel(), *flat, strict=True)

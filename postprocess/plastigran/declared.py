@@ -31,7 +31,7 @@ class Declaration:
         lower_allowed, upper_allowed: Whether the value may equal the bound.
         choices: Allowed words.
         value_type: Type of the value: float, int or str.
-        usual: Usual range; a value outside gives a warning to check its unit.
+        usual: Usual range. A value outside this range causes a warning to check the unit.
     """
 
     meaning: str
@@ -175,7 +175,7 @@ def read_float(name: str, value: Any, unit: str) -> float:
     """
     try:
         if isinstance(value, bool) or (isinstance(value, str) and "_" in value):
-            raise ValueError  # reject text that Python reads as a number, but LIGGGHTS does not
+            raise ValueError  # reject text that Python, but not LIGGGHTS, reads as a number
         return float(value)
     except (TypeError, ValueError):
         raise ValueError(f"{name} is {value!r}, not a number [{unit}]") from None
@@ -208,6 +208,6 @@ def _check_range(name: str, value: float, declaration: Declaration) -> None:
             f"{declaration.usual[0]:g} and {declaration.usual[1]:g} m. Check the unit: radii are "
             "in m, not mm",
             SizeWarning,
-            # Report this line as the origin, so that Python shows equal warnings once.
+            # Give this line as the origin of the warning, so that Python shows equal warnings once.
             stacklevel=1,
         )

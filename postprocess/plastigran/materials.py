@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Materials: one file each in `inputs/materials`, which decks include and Python reads.
+"""Materials: one file per material in `inputs/materials`, which decks include and Python reads.
 
-An installed package contains these files. $PLASTIGRAN_INPUTS or a path selects your own files of
-the same form.
+An installed package contains these files. You can use your own files of the same form by their
+path, or by $PLASTIGRAN_INPUTS.
 """
 
 from __future__ import annotations
@@ -25,8 +25,8 @@ if TYPE_CHECKING:
 #: Wall that neither deforms nor yields.
 RIGID = laws.Body(1e30, 0.3)
 
-#: Reserved words in tables and folder names: `RIGID` wall, no wall, default options. No material
-#: may use them.
+#: Reserved words in tables and folder names, for the wall `RIGID`, no wall, and default options.
+#: They cannot be names of materials.
 RIGID_WALL, NO_WALL, USUAL = TAKEN = "rigid", "none", "default"
 #: Allowed names of materials.
 _NAME = re.compile(r"\w([\w .+-]*[\w.+-])?")
@@ -96,8 +96,8 @@ class Material:
     def variables(self, suffix: str = "") -> dict[str, float]:
         """Return the constants as deck variables.
 
-        Without suffix: all constants that are set. With suffix: those of `BODY_CONSTANTS`, with the
-        suffix added to each name, for example for a wall.
+        Without suffix, these are all constants that are set. With a suffix, for example for a wall,
+        they are the constants of `BODY_CONSTANTS`, and the suffix is added to each name.
         """
         if suffix:
             return {f"{name}{suffix}": getattr(self, name) for name in BODY_CONSTANTS}
@@ -138,7 +138,7 @@ class Material:
 
 
 def _check_name(name: object) -> None:
-    """Reject a name that is not possible in tables and folder names."""
+    """Reject a name that tables and folder names cannot contain."""
     if not isinstance(name, str) or not _NAME.fullmatch(name):
         raise ValueError(
             f"name is {name!r}; it must be letters, digits, spaces and _ . + -, "
@@ -316,8 +316,8 @@ def material_field(
 
     Args:
         meaning: Meaning in words.
-        default: Default material. With None, a rigid body, the field is keyword-only and also
-            accepts "rigid" and `RIGID`.
+        default: Default material; None for a rigid body. With None, the field is keyword-only and
+            also accepts "rigid" and `RIGID`.
         suffix: Suffix of the constants of the material in the deck.
     """
     return attrs.field(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Progress of long work on standard error: a bar on a terminal, and lines in a pipe."""
+"""Progress of long work on standard error: a bar on a terminal, otherwise lines of text."""
 
 from __future__ import annotations
 
@@ -8,12 +8,12 @@ from typing import Any
 
 from tqdm import tqdm
 
-#: Time [s] before the first progress line in a pipe, and between lines.
+#: Time before the first progress line, and between lines, if there is no terminal [s].
 FIRST, EVERY = 5.0, 10.0
 
 
 class ProgressBar(tqdm):
-    """Progress bar on a terminal; otherwise lines, and none for short work.
+    """Progress bar on a terminal; otherwise lines of text. Short work prints no line.
 
     Args:
         *arguments: Positional arguments of tqdm.
@@ -47,7 +47,7 @@ class ProgressBar(tqdm):
         return False
 
     def close(self) -> None:
-        """Close the bar, which stays on a terminal; in a pipe, print the final state as a line."""
+        """Close the bar, which stays visible; without a terminal, print the final state."""
         if not (self.disable or self._in_place):
             self.leave = False  # do not add a line feed: each printed line ends with one
             if self.last_print_t >= self.start_t + self.delay and self.n > self.last_print_n:

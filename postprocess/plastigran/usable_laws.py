@@ -14,12 +14,12 @@ from plastigran.materials import Material, has_constants, law_class
 def laws_for(shape: str, bodies: Iterable[Material] = ()) -> list[str]:
     """Return the names of the laws for bodies of a shape, "sphere" or "cylinder".
 
-    Laws with constants that no material can have, such as given stiffnesses, are left out. So are
-    laws with adhesion, unless the materials have a surface energy.
+    Laws with constants that no material can have, such as given stiffnesses, are omitted. Laws with
+    adhesion are also omitted, unless the materials have a surface energy.
 
     Args:
         shape: Shape of the bodies.
-        bodies: Materials. A law that needs a constant is left out if a material lacks it.
+        bodies: Materials. A law is omitted if a material lacks a constant that the law needs.
     """
     bodies = list(bodies)
     names = [
@@ -31,13 +31,13 @@ def laws_for(shape: str, bodies: Iterable[Material] = ()) -> list[str]:
 
 
 def choose_laws(names: Iterable[str], shape: str, bodies: Iterable[Material] = ()) -> list[str]:
-    """Return names of laws, each once; "all" means those of `laws_for`.
+    """Return names of laws without repetitions; "all" stands for the laws of `laws_for`.
 
     Raises:
         ValueError: A law does not exist.
 
     Warns:
-        UserWarning: "all" leaves out a law, because the material lacks its constants.
+        UserWarning: "all" omits a law, because the material lacks its constants.
     """
     names, usable = list(names), laws_for(shape, bodies)
     for name in names:

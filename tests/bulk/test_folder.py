@@ -90,7 +90,7 @@ def test_results_are_not_overwritten_unless_forced(whole, tmp_path, monkeypatch)
     ("file", "damage", "message"),
     [
         ("run.json", lambda text: text.replace('"radius"', '"width"'), "run.json: .* radius"),
-        ("log.liggghts", lambda text: None, "holds no log.liggghts"),
+        ("log.liggghts", lambda text: None, "contains no log.liggghts"),
         ("log.liggghts", lambda text: text[:200], "log.liggghts: no thermodynamic output"),
         ("log.liggghts", lambda text: text.replace(" Atoms ", " Grains "), "log.liggghts .*atoms"),
         ("before.csv", lambda text: "time\n1\n", "before.csv is damaged: .*step"),

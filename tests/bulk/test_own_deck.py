@@ -130,7 +130,7 @@ def test_supplied_name_selects_the_supplied_deck(tmp_path, monkeypatch):
     assert plan_bulk("hopper", {}, "run").deck_type.__name__ == "Hopper"
     assert plan_bulk("./hopper", {}, "run").deck_type is None
     for missing in ("./in.drop", "drop.in", "decks/drop"):
-        with pytest.raises(EngineError, match=f"no input script {missing}"):
+        with pytest.raises(EngineError, match=f"the input script {missing} does not exist"):
             plan_bulk(missing, {}, "run")
 
 

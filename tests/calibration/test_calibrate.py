@@ -179,7 +179,7 @@ def test_material_file_reads_back(tmp_path):
         ({"hardness": 200, "radius": "x"}, "radius is 'x', but it applies only to finite elements"),
         ({"hardness": 200, "force_ratio": "x"}, "force_ratio is 'x'"),
         ({"hardness": 200, "speeds": []}, "speeds is empty; give the slowest and the"),
-        ({"drops": 5}, "drops is 5; it must be a DropTest or the file of one"),
+        ({"drops": 5}, "drops is 5; it must be a DropTest or the path of its file"),
     ],
 )
 def test_wrong_arguments_are_refused(arguments, message):
@@ -223,7 +223,7 @@ def test_strength_of_steel_is_for_a_strain_rate_of_one_per_second():
 
 
 def test_other_metals_get_a_note_on_the_strain_rate():
-    note = "no dependence on the strain rate is assumed"
+    note = "the strength is assumed not to depend on the strain rate"
     assert has_note(calibrate(**ALUMINIUM, hardness=107), note)
     for coefficient in (0.0, 0.015):
         metal = calibrate(**ALUMINIUM, hardness=107, rate_coefficient=coefficient)

@@ -43,7 +43,10 @@ def test_every_form_of_the_file_is_read(text, read):
         ("speed,cor\n1,0.5\n", "'cor' is not a column of a drop test; use one of speed, drop_hei"),
         ("speed\n1\n", "has none of restitution, rebound_speed, rebound_height"),
         ("speed,drop_height,restitution\n1,1,0.5\n", "has speed and drop_height; use one of"),
-        ("speed,restitution,coefficient_of_restitution\n1,0.5,0.6\n", "has a column twice"),
+        (
+            "speed,restitution,coefficient_of_restitution\n1,0.5,0.6\n",
+            "has two columns with the same name",
+        ),
         ("speed,restitution\n1,0.5\n1,1.2\n", "restitution of drop 2 is 1.2; it must be above 0"),
         ("speed,restitution\n1,0\n", "restitution of drop 1 is 0; it must be above 0 and below 1"),
         ("speed,rebound_speed\n1,1.1\n", "restitution of drop 1 is 1.1; it must be above"),

@@ -110,7 +110,7 @@ def test_timestep_of_every_law_reports_laws_that_are_left_out(capsys):
     aluminium = read_material("aluminium_zv02")
     assert [row.split()[0] for row in said.out.splitlines()] == laws_for("sphere", [aluminium])
     assert "left out, because the material lacks their constants: viscoelastic_hertz" in said.err
-    assert "left out: laws for cylinders. Use --geometry cylinder_wall" in said.err
+    assert "omitted: laws for cylinders. Use --geometry cylinder_wall" in said.err
     line = [*line[:-1], "glass_kp10", "--radius", "1e-5", "--geometry", "cylinder_wall"]
     assert main(line) == 0
     assert [row.split()[0] for row in capsys.readouterr().out.splitlines()] == laws_for("cylinder")

@@ -65,7 +65,7 @@ def test_an_option_reaches_law_and_engine(tmp_path):
 @pytest.mark.parametrize(
     ("changes", "complaint"),
     [
-        ({"options": "yielding"}, "options is 'yielding'; it must be names and choices in turn"),
+        ({"options": "yielding"}, "options is 'yielding'; it must be made of pairs NAME CHOICE"),
         ({"options": "yielding soft"}, "yielding is soft; it must be sphere, flat"),
         ({"options": "unloading area"}, "no option 'unloading'. Available options: yielding"),
         (

@@ -26,7 +26,7 @@ def test_input_scripts_run_on_two_ranks(script, tmp_path):
 @pytest.mark.parametrize(
     ("words", "message"),
     [
-        ("-in none.in", "no input script none.in"),
+        ("-in none.in", "the input script none.in does not exist"),
         (f"-in {PROJECT}/inputs/lammps/balls.in --ranks 0", "--ranks is 0; it must be 1 or more"),
     ],
 )

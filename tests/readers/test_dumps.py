@@ -160,7 +160,7 @@ def test_truncated_log(pair_run, tmp_path):
     [
         ("", "no complete frame"),
         ("id x y\n1 2 3\n", r"line 1: expected 'ITEM: TIMESTEP', found 'id x y'"),
-        ("ITEM: TIMESTEP\nnought\n", "unreadable frame header"),
+        ("ITEM: TIMESTEP\nnought\n", "a frame header is unreadable"),
         ("ITEM: TIMESTEP\n0\nITEM: ATOMS id\n", "line 3: expected 'ITEM: NUMBER OF'"),
     ],
 )
@@ -189,11 +189,11 @@ def test_log_without_output(tmp_path):
 
 def test_unfinished_collision(pair_run):
     table = read_dump(pair_run / "trajectory.dump")
-    with pytest.raises(CollisionError, match="still in contact at the last frame"):
+    with pytest.raises(CollisionError, match="still in contact in the last frame"):
         measure(table[table["step"] < 100])
     with pytest.raises(CollisionError, match="never touch"):
         measure(table[table["step"] < 1])
-    with pytest.raises(CollisionError, match="already in contact at the first frame"):
+    with pytest.raises(CollisionError, match="already in contact in the first frame"):
         measure(table[table["step"] > 20])
     with pytest.raises(CollisionError, match="no column fx"):
         measure(table.drop(columns="fx"))

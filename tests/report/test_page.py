@@ -306,7 +306,7 @@ def test_truncated_last_line_is_left_out_and_named(copied_sweep, end):
     file.write_text("".join(lines[:4]) + lines[4][:length])
     made = section(copied_sweep)
     assert made.verdict == "3 of 9 impacts"
-    assert made.missing[0] == "The last line of impacts.csv is cut short and left out."
+    assert made.missing[0] == "The last line of impacts.csv is truncated and omitted."
 
 
 @pytest.mark.parametrize(
@@ -322,7 +322,7 @@ def test_damaged_line_is_left_out_and_named(copied_sweep, column, cell):
     file.write_text("\n".join([head, *lines]) + "\n")
     made = section(copied_sweep)
     assert made.verdict == "8 of 9 impacts"
-    assert made.missing[0] == "Line 5 of impacts.csv is damaged and left out."
+    assert made.missing[0] == "Line 5 of impacts.csv is damaged and omitted."
     assert len(made.charts) == 4
 
 
@@ -334,7 +334,7 @@ def test_damaged_table_is_left_out_and_named(copied_sweep, damage):
     else:
         pd.read_csv(file).drop(columns="speed").to_csv(file, index=False)
     made = section(copied_sweep)
-    assert "impacts.csv is damaged and left out" in made.missing[0]
+    assert "impacts.csv is damaged and not shown" in made.missing[0]
     assert (made.state, made.facts["command"]) == ("unfinished", "plastigran impact")
 
 
@@ -344,7 +344,7 @@ def test_damaged_table_is_left_out_and_named(copied_sweep, damage):
 def test_damaged_entry_of_a_study_is_left_out_and_named(copied_sweep, entry, value):
     edit_json(copied_sweep / "study.json", {entry: value})
     made = section(copied_sweep)
-    assert made.missing == [f"study.json is damaged: entry {entry} is left out."]
+    assert made.missing == [f"study.json is damaged: the entry {entry} is omitted."]
     assert made.tables[0].title == "Constants of the materials"
     assert len(made.charts) == 4
 

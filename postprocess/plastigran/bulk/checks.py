@@ -15,7 +15,7 @@ RESTITUTION_ERROR = 1e-3
 #: energy is proportional to the square of restitution.
 LEDGER = 2 * RESTITUTION_ERROR
 
-#: Ratio of overlap to validity range of the law above which a run fails its check.
+#: Largest allowed ratio of overlap to largest overlap for which the law is valid.
 EXCESS = 10.0
 #: Names of the checks of the energy balance.
 LEDGER_CHECKS = (
@@ -26,10 +26,11 @@ LEDGER_CHECKS = (
 #: grain moves by its diameter under its weight.
 FINE_ROWS = 0.25
 
-#: Energy terms of inputs/energy_ledger.in whose sum is the energy input; gravity is not among them.
+#: Energy terms of inputs/energy_ledger.in whose sum is the energy input. The input already contains
+#: the work of gravity, so its potential energy is not a term.
 ENERGIES = ["kinetic", "elastic", "plastic", "friction", "viscous"]
 #: Energy terms that only contacts with adhesion have: the surface energy, which is negative, and
-#: the loss where contacts form and break. They are part of the sum if the log has both.
+#: the loss when contacts form and break. They are part of the sum if the log has both.
 ADHESION = ["surfaces", "adhesion"]
 #: Dissipated energy terms.
 DISSIPATED = ["plastic", "friction", "viscous"]
@@ -83,12 +84,12 @@ def energy_input(series: pd.DataFrame) -> float:
 
 
 def energy_terms(series: pd.DataFrame) -> list[str]:
-    """Return the terms whose sum is the energy input, as far as the series has them."""
+    """Return the names of the terms whose sum is the energy input, for the columns of a series."""
     return ENERGIES + (ADHESION if set(ADHESION) <= set(series) else [])
 
 
 def last_simulation(series: pd.DataFrame) -> pd.DataFrame:
-    """Return the rows since the last `clear` command, by the column `simulation` if it exists."""
+    """Return the rows after the last `clear` command; all rows without a column `simulation`."""
     if "simulation" not in series:
         return series
     return series[series["simulation"] == series["simulation"].iloc[-1]]
@@ -110,7 +111,7 @@ def ledger_checks(series: pd.DataFrame, limit: float = LEDGER) -> list[Check]:
 
     Args:
         series: Terms of the energy balance [J].
-        limit: Largest balance error as a fraction of the energy input.
+        limit: Largest allowed balance error as a fraction of the energy input.
     """
     total, plastic = energy_input(series), series["plastic"]
     return [
@@ -130,9 +131,10 @@ def ledger_checks(series: pd.DataFrame, limit: float = LEDGER) -> list[Check]:
 
 
 def trapezia_factor(time: pd.Series, diameter: float, gravitational_acceleration: float) -> float:
-    """Return the ratio of the integration error to the error with `FINE_ROWS` [-], at least 1.
+    """Return the integration error divided by the error with the row spacing `FINE_ROWS` [-].
 
-    The error of trapezoidal integration is proportional to the square of the row spacing.
+    The error of trapezoidal integration is proportional to the square of the row spacing. The
+    result is at least 1.
 
     Args:
         time: Evenly spaced times [s].

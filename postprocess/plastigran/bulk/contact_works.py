@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Plastic work of every contact between grains, from its contact history.
 
-With `contact_history=1`, the frames of a deck contain the first value of each contact history. The
-plastic work follows from it and the overlap, because the laws are path-explicit.
+With `contact_history=1`, the frames of a deck contain the first value of each contact history. This
+value and the overlap determine the plastic work, because the laws are path-explicit.
 """
 
 from __future__ import annotations

@@ -53,10 +53,10 @@ class Brief:
 
     Attributes:
         settings: Settings that make the run short.
-        start: Further settings for comparing ranks. They end the run so soon after the first
-            impacts that results on several ranks agree to 1e-9.
-        restart: Largest difference of a continued run, divided by the largest value of the column
-            [-]; 0 if it is bitwise identical.
+        start: Further settings for a comparison of numbers of ranks. They end the run soon after
+            the first impacts, so that the results on several ranks agree to 1e-9.
+        restart: Largest allowed difference of a continued run, divided by the largest value of the
+            column [-]; 0 if it must be bitwise identical.
     """
 
     settings: Mapping[str, object]
@@ -66,7 +66,7 @@ class Brief:
 
 @attrs.frozen(kw_only=True)
 class BulkDeck:
-    """Settings that every bulk deck has, read from text or numbers. Subclasses add settings.
+    """Settings that every bulk deck has, given as text or numbers. Subclasses add settings.
 
     Attributes:
         output: Folder of the run. Decks read the log and further files from it.
@@ -80,7 +80,7 @@ class BulkDeck:
 
     output: Path = attrs.field(converter=Path)
     law: str = word("law between grains", laws_for("sphere"))
-    options: str = text("options of the model, pairs NAME CHOICE")
+    options: str = text("options of the law, as pairs NAME CHOICE")
     material: str = text("material, a file of inputs/materials")
     youngs_modulus: float = body_constant("youngs_modulus")
     poissons_ratio: float = body_constant("poissons_ratio")
@@ -98,7 +98,7 @@ class BulkDeck:
     seed: float = number("seed of the random grains")
     frames: int = continuable(whole("number of VTK frames"))
     contact_history: int = continuable(
-        whole("1: write contact histories to the frames, 0: not", upper=1)
+        whole("1: write contact histories to the frames; 0: do not", upper=1)
     )
     rows: int = whole("number of log lines", 1)
     checkpoints: int = whole("number of restart files, a divisor of rows", 1)
@@ -123,7 +123,7 @@ class BulkDeck:
         Raises:
             ValueError: A condition is violated; the message names the setting.
         """
-        if self.rows % self.checkpoints:  # a checkpoint needs a log line at the same step
+        if self.rows % self.checkpoints:  # a checkpoint needs a log line at its step
             raise ValueError(f"checkpoints is {self.checkpoints}; it must divide rows, {self.rows}")
         if self.law == "hertz" and self.ledger == "on":
             raise ValueError(
@@ -201,15 +201,15 @@ class BulkDeck:
         return Grains(self.law, options, material, self.radius)
 
     def derived(self, name: str) -> float:
-        """Return a number that the script has derived; raises as `read_derived`."""
+        """Return a value that the deck printed; errors as for `read_derived`."""
         return read_derived(self.output, name)
 
     def ledger_checks(self, series: pd.DataFrame) -> list[Check]:
-        """Return the checks of the energy balance; none for a run without it."""
+        """Return the checks of the energy balance; no checks for a run without energy balance."""
         return ledger_checks(series, self.ledger_limit(series)) if self.ledger == "on" else []
 
     def ledger_limit(self, series: pd.DataFrame) -> float:
-        """Return the largest balance error as a fraction of the energy input [-].
+        """Return the largest allowed balance error as a fraction of the energy input [-].
 
         It is `LEDGER` times the square of the time step divided by the recommended one, because the
         integrator is of second order. The recommended step belongs to the impact of two grains at
@@ -225,7 +225,7 @@ class BulkDeck:
         return LEDGER * min(1.0, self.timestep / recommended) ** 2
 
     def ledger_figure(self, series: pd.DataFrame) -> dict[str, Figure]:
-        """Return the figure of the energy balance by name; none for a run without it."""
+        """Return the figure of the energy balance by name; {} for a run without energy balance."""
         if self.ledger == "off":
             return {}
         return {"ledger": ledger_figure(series, self.ledger_limit(series))}
@@ -258,7 +258,7 @@ class GranularDeck(BulkDeck):
 class FlowDeck(GranularDeck):
     """Settings of decks with grains of two sizes whose flow becomes steady after `settling`."""
 
-    #: Smallest number of rows of the steady part, for a fit of a line.
+    #: Smallest number of rows after `settling`, through which a line is fitted.
     steady_rows: ClassVar[int] = 10
 
     size_spread: float = number(

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Folder of a bulk run: the record run.json, the other files, and numbers that the deck printed.
 
-It contains `run.json` (deck, settings, ranks, versions), `deck/` (the deck as it ran, with its
-includes), the logs, numbered checkpoints, and after the run `series.csv`, `checks.csv` and
-`figures/`.
+The folder contains `run.json` (deck, settings, ranks, versions), `deck/` (a copy of the deck and
+its includes), the logs, and numbered checkpoints. After the run, it also contains `series.csv`,
+`checks.csv` and `figures/`.
 """
 
 from __future__ import annotations
@@ -33,9 +33,9 @@ SERIES = "series.csv"
 CHECKS = "checks.csv"
 #: File of grain positions; decks append frames to it.
 DUMP = "grains.dump"
-#: Collision spectra; LIGGGHTS appends tables and removes those after a checkpoint itself.
+#: File of collision spectra. LIGGGHTS appends tables; a continued run removes later tables itself.
 SPECTRA = "collision_spectra.csv"
-#: Files of a run. These and the checkpoints are removed before the run is overwritten.
+#: Files of a run, which are removed with the checkpoints before the run is overwritten.
 RUN_FILES = (
     RECORD,
     f"{RECORD}.new",
@@ -86,7 +86,7 @@ def read_record(folder: str | Path) -> dict:
         isinstance(record.get(name), type_) for name, type_ in required.items()
     ):
         raise EngineError(
-            f"{path} is not the record of a run: the entries deck and settings are "
+            f"{path} is not the record of a run, because the entries deck and settings are "
             "missing. Check the path"
         )
     for name, type_ in _TABLES.items():
@@ -152,7 +152,7 @@ def _log_text(folder: str | Path) -> str:
 
 
 def all_derived(folder: str | Path) -> dict[str, float]:
-    """Return the values that a run and those that it continues printed as `derived NAME = VALUE`.
+    """Return the values that a run and its earlier parts printed as `derived NAME = VALUE`.
 
     Raises:
         EngineError: The folder contains no run.
@@ -162,7 +162,7 @@ def all_derived(folder: str | Path) -> dict[str, float]:
 
 
 def all_excess(folder: str | Path) -> dict[str, float]:
-    """Return the result of `find_excess` for a run and those that it continues.
+    """Return the result of `find_excess` for a run and its earlier parts.
 
     Raises:
         EngineError: The folder contains no run.
@@ -188,7 +188,7 @@ def read_derived(folder: str | Path, name: str) -> float:
 
 
 def carry_files(earlier: Path, folder: Path, last: int) -> None:
-    """Copy the files to which LIGGGHTS appends: spectra, and complete frames before step `last`."""
+    """Copy the files to which LIGGGHTS appends: spectra, and the complete frames up to a step."""
     if (earlier / SPECTRA).exists():
         shutil.copy(earlier / SPECTRA, folder)
     if not (earlier / DUMP).exists():

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Chart of the energy balance of a run: energies stacked over time, and the balance error."""
+"""Chart of the energy balance of a run: stacked energies versus time, and the balance error."""
 
 from __future__ import annotations
 
@@ -17,14 +17,15 @@ SMALL = 2e-3
 
 
 def ledger_panels(series: pd.DataFrame, total: float, limit: float) -> tuple[Panel, Panel]:
-    """Return the energies as fractions of the energy input, stacked over time, and the error.
+    """Return two panels: stacked energies / energy input versus time, and the balance error.
 
     The surface energy of contacts with adhesion is negative and lies below zero.
 
     Args:
-        series: Columns time [s], the terms of the energy balance and their error `drift` [J].
+        series: Columns time [s], the terms of the energy balance, and the balance error `drift`
+            [J].
         total: Energy input [J], positive.
-        limit: Largest error allowed, as a fraction of the energy input.
+        limit: Largest allowed balance error as a fraction of the energy input.
     """
     time, terms = scale("time", series["time"]), energy_terms(series)
     areas = [

@@ -45,7 +45,7 @@ class BulkRun:
 
     @property
     def series(self) -> pd.DataFrame:
-        """One row per line of the log, with measurement and theory, in SI units."""
+        """One row per line of the log, with measured and predicted quantities in SI units."""
         return self.analysis.series
 
     @property

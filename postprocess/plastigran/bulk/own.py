@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Input scripts of users, which have no deck class: paths, restart and checks."""
+"""Decks of users, which have no deck class: paths, restart and checks."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ _MODEL = re.compile(r"\bgran\s+(?:&\s*)?model\s+(\S+)")
 
 
 def planned_steps(source: DeckSource) -> int:
-    """Return the steps of all `run` commands together; 0 if the script does not determine them."""
+    """Return the total steps of all `run` commands; 0 if the script does not determine them."""
     for file in _scripts(source)[1:]:
         names = {source.resolve(command).partition(" ")[0] for command in commands(file)}
         if names & {"run", *CONTROL}:
@@ -118,7 +118,7 @@ def check_laws(source: DeckSource) -> None:
             similar = get_close_matches(name, laws.LAWS, 1, 0.85)
             if name in laws.LAWS or not similar:
                 continue
-            text = f"{file.name}: no contact model {name!r}. Possible misspelling of {similar[0]}"
+            text = f"{file.name}: contact model {name!r} is unknown. Use {similar[0]}"
             if similar[0] not in name:
                 raise ValueError(text)
             warnings.warn(f"{text}. Ignore this warning if the model is your own", stacklevel=2)

@@ -83,7 +83,7 @@ def plan_bulk(
         else:
             checkpoint = own_restart_point(read_deck(script, {}, folder), restart, record)
         values = record["values"] | values | {"start": "checkpoint", "checkpoint": str(checkpoint)}
-    # Make the path absolute: it is relative to the current folder, but LIGGGHTS runs elsewhere.
+    # Make the path absolute, because LIGGGHTS runs in another folder.
     if deck_type and "materials" in values:
         values["materials"] = str(Path(values["materials"]).resolve())
     source = read_deck(script, values, folder)
@@ -103,10 +103,10 @@ def plan_bulk(
 def check_continued(
     settings: dict[str, str], earlier: dict[str, str], continuable: frozenset[str]
 ) -> None:
-    """Check that no setting differs that a continued run must not change.
+    """Check that a continued run changes only settings that it may change.
 
     Raises:
-        ValueError: A setting differs that must not change; the message names it.
+        ValueError: Another setting differs; the message names it.
     """
     for name in settings.keys() - continuable - PLACES:
         if settings[name] != earlier.get(name, settings[name]):

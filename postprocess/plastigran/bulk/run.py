@@ -63,7 +63,7 @@ def run_bulk(
         fail.
 
     Raises:
-        EngineError: There is no such deck or no complete checkpoint, or LIGGGHTS stopped with an
+        EngineError: The deck or a complete checkpoint does not exist, or LIGGGHTS stopped with an
             error.
         ValueError: A setting is unknown or out of range, or `folder` contains results.
     """
@@ -77,7 +77,7 @@ def run_bulk(
 def _run(plan: Plan, software: dict[str, str], show: bool) -> BulkRun:
     """Run a plan in its folder, analyse the run and write its results."""
     source, folder, restart = plan.source, plan.folder, plan.earlier
-    # Run a copy: LIGGGHTS reads the script while it runs, and the user may edit the original.
+    # Run a copy, because LIGGGHTS reads the deck while it runs, and the user may edit the original.
     script = source.copy(folder / "deck")
     record = {
         "deck": source.name,
@@ -94,7 +94,7 @@ def _run(plan: Plan, software: dict[str, str], show: bool) -> BulkRun:
         step = step_of(plan.checkpoint)
         rows_up_to(read_series(restart), step).to_csv(folder / BEFORE, index=False)
         carry_files(restart, folder, step)
-    # Write the record last: a folder with a record counts as a run that can be continued.
+    # Write the record last, because a folder with a record counts as a run that can be continued.
     write_record(folder, record)
     earlier_files = signal_files(plan.working_folder)
     checksums = ChecksumWriter(folder)

@@ -20,9 +20,9 @@ def read_series(folder: str | Path) -> pd.DataFrame:
 
     Returns:
         One row per line: `step`, `time` [s] from step 0, then the deck's columns in SI units. For a
-        user's deck, column `run` numbers its runs. `time` is then there if the log has it, or if
-        `timestep` commands give it; it continues over all runs. If the deck has a `clear` command,
-        `simulation` numbers the parts between them.
+        user's deck, the column `run` numbers its runs. The column `time` then exists only if the
+        log has it, or if `timestep` commands determine it; it continues over all runs. If the deck
+        has `clear` commands, the column `simulation` numbers the parts between them.
 
     Raises:
         DumpError: The log is missing or has no rows.
@@ -34,7 +34,7 @@ def read_series(folder: str | Path) -> pd.DataFrame:
         series = _read_own_log(folder) if own else _read_supplied_log(folder)
         parts.append(series.rename(columns=lambda name: name.removeprefix("v_")))
     except DumpError:
-        if not parts:  # there are no parts if no line was written, in an earlier run either
+        if not parts:  # neither this run nor an earlier one has written a line
             raise
     parts = [part for part in parts if len(part)] or parts[-1:]
     if own and len(parts) == 2:
@@ -46,7 +46,7 @@ def read_series(folder: str | Path) -> pd.DataFrame:
 
 
 def rows_up_to(series: pd.DataFrame, step: int) -> pd.DataFrame:
-    """Return the rows of a series up to the last one before the checkpoint of a step."""
+    """Return the rows of a series that were written before the checkpoint at a given step."""
     (reached,) = np.nonzero(series["step"] <= step)
     return series.iloc[: reached.max(initial=-1) + 1]
 
@@ -61,9 +61,9 @@ def _read_earlier_rows(folder: Path) -> list[pd.DataFrame]:
 
 
 def _read_log(folder: Path) -> tuple[list[LoggedRun], pd.DataFrame]:
-    """Return the runs of the log and their table; the log of a stopped run may be cut short."""
+    """Return the runs of the log and their table; the log of a stopped run may be truncated."""
     if not (folder / LOG).is_file():
-        raise DumpError(f"{folder} holds no {LOG}")
+        raise DumpError(f"{folder} contains no {LOG}")
     runs = read_runs(folder / LOG)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", TruncatedFileWarning)
@@ -100,8 +100,8 @@ def _time_of_run(rows: pd.DataFrame, timestep: float) -> pd.Series:
     """Return the time of the lines of a run [s]; NaN if unknown.
 
     Args:
-        rows: Lines of the run. Their columns `time` and `timestep` come before the command.
-        timestep: Time step of the command `timestep` [s], or NaN.
+        rows: Lines of the run. Columns `time` and `timestep`, if they exist, take precedence.
+        timestep: Time step from the command `timestep` [s], or NaN.
     """
     if "time" in rows and rows["time"].notna().all():
         return rows["time"]
@@ -140,8 +140,9 @@ def _continue_time(before: pd.DataFrame, after: pd.DataFrame) -> list[pd.DataFra
 def _merge_equal_steps(series: pd.DataFrame) -> pd.DataFrame:
     """Merge consecutive rows of the same step, which occur where one run ends and the next begins.
 
-    Use the earlier row, because mesh forces are missing during setup. Take columns that it lacks
-    from the later row. Merge only consecutive rows, because `reset_timestep` may repeat steps.
+    The earlier row is kept, because mesh forces are missing during setup. The later row supplies
+    columns that the earlier one lacks. Only consecutive rows are merged, because `reset_timestep`
+    may repeat steps.
     """
     keys = series[["step", "simulation"] if "simulation" in series else ["step"]]
     groups = (keys != keys.shift()).any(axis="columns").cumsum()

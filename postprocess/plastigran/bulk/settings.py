@@ -20,7 +20,7 @@ def text(meaning: str) -> Any:
 def continuable(field: Any) -> Any:
     """Mark a declared field as a setting that a continued run may change.
 
-    Steps before the checkpoint and the restored grains must not depend on it.
+    Neither the steps before the checkpoint nor the restored grains may depend on the setting.
     """
     field.metadata = {**field.metadata, "continuable": True}
     return field

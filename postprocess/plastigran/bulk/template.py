@@ -20,9 +20,9 @@ from plastigran.materials import (
 )
 from plastigran.usable_laws import laws_for
 
-#: Upper bound of the impact speed in the template, a fall from its top [m/s].
+#: Impact speed for which the time step of the template is computed, above all its speeds [m/s].
 SPEED = 2.0
-#: Speed of a fall from the top of the template, 0.09 m [m/s].
+#: Impact speed after a fall from the top of the template, 0.09 m [m/s].
 FALL_SPEED = 1.33
 #: Grain radii for which the box of the template is large enough [m].
 NEW_DECK_RADIUS = Declaration("radius", "m", 0.0005, 0.006, True, True)
@@ -85,7 +85,7 @@ def write_deck(
     for word, value in values.items():
         text = text.replace(word, value)
     if folder.exists():
-        raise FileExistsError(f"{folder} exists. Choose another name")
+        raise FileExistsError(f"{folder} already exists. Choose another name")
     folder.mkdir(parents=True)
     deck = folder / f"{folder.name}.in"
     deck.write_text(text)
@@ -103,7 +103,7 @@ def _choices(material: Material) -> list[str]:
 
 
 def range_note(law: str, material: Material | str | Path, radius: float) -> str:
-    """Return a sentence if a fall in the deck exceeds the range of the law; "" if not.
+    """Return a warning if a fall in the deck exceeds the range of the law; otherwise "".
 
     Args:
         law, material, radius: As for `write_deck`.

@@ -22,7 +22,7 @@ from plastigran.plot.vtk_series import (
 
 
 def write_vtk(run: BulkRun, folder: str | Path) -> list[Path]:
-    """Write the frames of a run as VTK files, and a list of each kind by time.
+    """Write the frames of a run as VTK files, and for each kind of file a list by time.
 
     The files are `grains_STEP.vtp`, `contacts_STEP.vtp` and `mesh_STEP.vtp`; the lists are
     `grains.pvd`, `contacts.pvd` and `mesh.pvd`. Contacts have a column `plastic_work` if the run
@@ -40,7 +40,7 @@ def write_vtk(run: BulkRun, folder: str | Path) -> list[Path]:
         DumpError: A file of contact histories is damaged.
 
     Warns:
-        UserWarning: An incomplete frame is left out; the message names the file.
+        UserWarning: An incomplete frame is omitted; the message names the file.
     """
     folder, lists = Path(folder), []
     folder.mkdir(parents=True, exist_ok=True)
@@ -72,7 +72,8 @@ def contact_columns(run: BulkRun, frame: Frame) -> dict[str, np.ndarray]:
     if run.deck is None or not file.exists():
         return {}
     contacts, histories = contact_table(frame), read_histories(file)
-    # Both files list contacts in LIGGGHTS' order; a pair may also touch through a periodic side.
+    # Match contacts by their order, which is the same in both files. IDs do not identify a contact,
+    # because a pair may have a second contact across a periodic side.
     if not all(np.array_equal(contacts[name], histories[name]) for name in ("id1", "id2")):
         raise DumpError(f"{file} and {frame.contacts} list different contacts")
     separated = contacts["overlap"] <= 0

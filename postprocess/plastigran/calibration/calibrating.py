@@ -76,16 +76,17 @@ def calibrate(
         hardness: HV, or a text such as "45HRC" or "200HB".
         leeb: Reading of a rebound tester: HLD, or a text such as "750HLG".
         drops: A drop test, or a file of one with a ball of the metal and a rigid plate.
-        plastic_modulus: H, stress over plastic strain [Pa]; 0 for perfectly plastic.
+        plastic_modulus: H, slope of stress versus plastic strain [Pa]; 0 for perfectly plastic.
         rate_coefficient: Relative increase of yield strength per e-fold increase of strain rate,
-            with the strength given at 1/s. None for 0, except for steel with a hardness or rebound
-            hardness, whose strain rates are very different: then None is the value of steel.
-        scatter: Relative standard deviation of one measured restitution. None for 0.02 for drops,
-            and for the scatter of conversions of rebound hardness.
+            with the strength given at 1/s. For steel with a hardness or rebound hardness, the
+            default is the value of steel: the strain rates of these tests differ much from the
+            strain rates of a simulation. The default is 0 otherwise.
+        scatter: Relative standard deviation of one measured restitution. The default is 0.02 for
+            drops, and the scatter of conversions for rebound hardness.
         law: Name of the law.
         speeds: Slowest and fastest impact speed of the intended simulation [m/s], for a sphere of
-            the metal on a rigid plane. None for those of the measurement, or else up to 300 yield
-            speeds.
+            the metal on a rigid plane. The default is the range of the measurement, or 1 to 300
+            yield speeds without measured impacts.
         force_ratio: Largest force / yield force of a finite-element fit of `vu_quoc_zhang`; None
             for no finite elements.
         radius: Radius of the finite-element sphere [m].
@@ -94,9 +95,9 @@ def calibrate(
         progress: Whether to show a bar for the finite elements.
 
     Raises:
-        ValueError: There is not exactly one measurement; or a value has no effect, is out of range,
-            seems to have another unit, or does not determine the strength. The message names it and
-            the range.
+        ValueError: The number of measurements is not one; or a value has no effect, is out of
+            range, seems to have another unit, or does not determine the strength. The message names
+            the value and its range.
         OSError: A file cannot be read.
 
     Warns:
@@ -169,7 +170,7 @@ def calibrate(
 def _refuse_unused(
     quantity: str, scatter: float | None, force_ratio: float | None, radius: float, strain: str
 ) -> None:
-    """Reject `scatter` and finite-element settings if the calibration does not use them."""
+    """Reject `scatter` and finite-element settings that the calibration does not use."""
     if scatter is not None and quantity not in ("leeb", "drops"):
         raise ValueError(
             f"scatter is {scatter!r}, but it applies only to leeb or drops, not to {quantity}"
@@ -210,8 +211,8 @@ def _rate(
     if rate_coefficient is None and depends_on_rate:
         if not strength.STEEL.allows(youngs_modulus):
             return 0.0, [
-                "no dependence on the strain rate is assumed; docs/rate_factor.md lists published "
-                "coefficients of other metals than steel: give rate_coefficient"
+                "the strength is assumed not to depend on the strain rate; docs/rate_factor.md "
+                "lists published coefficients of metals, which you can give as rate_coefficient"
             ]
         rate = strength.STEEL_RATE_COEFFICIENT
     note = f"the strength is for a strain rate of 1/s; the rate coefficient is C = {rate:g}"
@@ -223,7 +224,7 @@ def _drop_test(drops: Any) -> DropTest:
         return drops
     if isinstance(drops, str | Path):
         return DropTest(**read_drop_test(drops))
-    raise ValueError(f"drops is {drops!r}; it must be a DropTest or the file of one")
+    raise ValueError(f"drops is {drops!r}; it must be a DropTest or the path of its file")
 
 
 def _check_strength(value: float, youngs_modulus: float) -> None:
@@ -244,7 +245,7 @@ def _expected_error(
     hardening: bool,
     drops: DropTest | None,
 ) -> ExpectedError:
-    """Return the error of the law for the intended speeds, the measured ones, or usual ones."""
+    """Return the error of the law for the intended speeds, or the measured or usual speeds."""
     ratio = result.speed_ratio or USUAL_SPEEDS
     if speeds is not None:
         intended = np.ravel(speeds).tolist()

@@ -2,9 +2,9 @@
 """Drop tests: restitution of a ball on a plate at one or more speeds, read from a table.
 
 The file has a line of column names and then one line per drop. Columns are separated by commas,
-semicolons or blanks; # starts a comment. The impact is `speed` [m/s] or `drop_height` [m] of the
-lowest point of the ball above the plate. The rebound is `restitution` [-], `rebound_speed` [m/s] or
-`rebound_height` [m]. Air drag is neglected.
+semicolons or blanks; # starts a comment. The impact is given as `speed` [m/s] or `drop_height` [m],
+the initial height of the lowest point of the ball above the plate. The rebound is given as
+`restitution` [-], `rebound_speed` [m/s] or `rebound_height` [m]. Air drag is neglected.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ IMPACT = {
     "drop_height": Declaration("height of the fall", "m", 1e-6, 10),
 }
 REBOUND = {
-    # Slightly above 1, so that 1 is in the open range.
+    # The range excludes its end, so the end is slightly above 1.
     "restitution": Declaration("coefficient of restitution", "-", 0, 1.000001),
     "rebound_speed": Declaration("speed after the impact", "m/s", 0, 1000),
     "rebound_height": Declaration("height after the impact", "m", 0, 10),
@@ -42,7 +42,7 @@ def _floats(values: ArrayLike) -> np.ndarray:
 
 @attrs.frozen
 class DropTest:
-    """Drops of one ball on one plate. None stands for the metal to be calibrated.
+    """Drops of one ball on one plate. `ball` or `plate` is None for the metal to be calibrated.
 
     Attributes:
         speed: Impact speeds (N,), m/s.
@@ -53,8 +53,8 @@ class DropTest:
             the strain rate.
 
     Raises:
-        ValueError: A speed or restitution is out of range, their numbers differ, neither ball nor
-            plate is the metal, or there is no drop.
+        ValueError: A speed or restitution is out of range, the numbers of speeds and restitutions
+            differ, neither ball nor plate is the metal, or there is no drop.
     """
 
     speed: np.ndarray = attrs.field(converter=_floats, eq=attrs.cmp_using(np.array_equal))
@@ -109,7 +109,7 @@ def read_drop_test(path: str | Path) -> pd.DataFrame:
     """
     path = Path(path)
     try:
-        # Without a header, a line with more fields than the first one is an error.
+        # Read without header, because pandas then rejects a line with more fields than the first.
         lines = pd.read_csv(
             path, sep=r"\s*[,;]\s*|\s+", comment="#", engine="python", header=None, dtype=str
         )
@@ -124,7 +124,7 @@ def read_drop_test(path: str | Path) -> pd.DataFrame:
     if unknown := [name for name in table if name not in IMPACT | REBOUND]:
         raise ValueError(f"{path}: {unknown[0]!r} is not a column of a drop test; {columns}")
     if not table.columns.is_unique:
-        raise ValueError(f"{path} has a column twice; {columns}")
+        raise ValueError(f"{path} has two columns with the same name; {columns}")
     for choices in (IMPACT, REBOUND):
         present = [name for name in choices if name in table]
         if len(present) != 1:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Expected error of a law, from the results of `plastigran validate` for spheres."""
+"""Expected errors of laws, from the results of `plastigran validate` for spheres."""
 
 from __future__ import annotations
 
@@ -24,9 +24,9 @@ class ExpectedError:
     """Errors of a law compared with finite elements, as fractions; None if unknown.
 
     Attributes:
-        regime: Contacts of the comparison: perfectly plastic or hardening, and "large a/R" if it
-            is reached; or why there is no comparison.
-        speed_ratio: Smallest and largest speed / yield speed.
+        regime: Contacts of the comparison: perfectly plastic or hardening, and "large a/R" if the
+            contacts reach it. Without comparison, the reason.
+        speed_ratio: Smallest and largest impact speed / yield speed.
         restitution, restitution_largest: Rms and largest error of the coefficient of restitution.
         force, force_largest: Rms and largest error of the largest force.
     """
@@ -40,7 +40,7 @@ class ExpectedError:
 
     @classmethod
     def of_another_pair(cls, speed_ratio: tuple[float, float]) -> ExpectedError:
-        """Return unknown errors, for bodies other than spheres on a rigid plane."""
+        """Return unknown errors, because the bodies are not a sphere on a rigid plane."""
         return cls(
             "unknown, because finite elements exist only for spheres on a rigid plane", speed_ratio
         )

@@ -27,7 +27,7 @@ CONTACT_RADIUS = Scale("contact radius", "mm", 1e3)
 
 
 def figure(metal: CalibratedMetal, progress: bool = False) -> Figure:
-    """Draw the law and the data of its calibration: drops, or else finite elements.
+    """Draw the law and the data of its calibration: drops, or finite elements without drops.
 
     Args:
         metal: Result of `calibrate`.
@@ -40,11 +40,11 @@ def figure(metal: CalibratedMetal, progress: bool = False) -> Figure:
         return drops_figure(metal)
     if metal.pressed is not None:
         return finite_elements_figure(metal, progress)
-    raise ValueError("there is nothing to draw without a drop test or finite elements")
+    raise ValueError("a figure needs a drop test or finite elements")
 
 
 def drops_figure(metal: CalibratedMetal) -> Figure:
-    """Draw measured restitution over impact speed, with the law and its 95 % band."""
+    """Draw measured restitution versus impact speed, with the law and its 95 % band."""
     drops = metal.drops
     speeds = np.geomspace(drops.speed.min() / 2, drops.speed.max() * 2, 60)
 
@@ -72,8 +72,8 @@ def drops_figure(metal: CalibratedMetal) -> Figure:
 def finite_elements_figure(metal: CalibratedMetal, progress: bool = False) -> Figure:
     """Draw the law, and `vu_quoc_zhang` with fitted constants, with finite elements.
 
-    The panels are force over overlap, contact radius over force, and restitution over impact
-    speed.
+    The panels show force versus overlap, contact radius versus force, and restitution versus
+    impact speed.
     """
     pressing = metal.pressed.pressing
     unloadings = metal.pressed.unloadings(progress)
@@ -107,7 +107,7 @@ def finite_elements_figure(metal: CalibratedMetal, progress: bool = False) -> Fi
 
 
 def _compress(contact: Contact, history: pd.DataFrame) -> pd.DataFrame:
-    """Return the law along the path of the finite elements: loading and unloading."""
+    """Return the response of the law along the path of the finite elements."""
     trial = np.linspace(0, 2 * history["approach"].max(), 2000)
     forces = contact.law.follow(contact.radius_eff, trial)["force"]
     loading = np.linspace(0, np.interp(history["force"].max(), forces, trial), 200)

@@ -40,8 +40,8 @@ class PressedSphere:
     def unloadings(self, progress: bool = False) -> pd.DataFrame:
         """Return unloadings from the largest force and from smaller forces, one per row.
 
-        Columns are those of `Pressing.unloadings` and `speed` [m/s], the speed of an impact with
-        the largest force of the row. A bar shows the progress on request.
+        The columns are those of `Pressing.unloadings`, and `speed` [m/s] of an impact with the
+        largest force of the row.
         """
         material, radius = self.pressing.material, self.pressing.radius
         forces = [fraction * self.fitted.force_max for fraction in UNLOADING_FRACTIONS]
@@ -66,7 +66,7 @@ def press_sphere(
 
     Args:
         metal: Material of the sphere; elastic constants, density and yield strength are used.
-        plastic_modulus: H, stress over plastic strain [Pa].
+        plastic_modulus: H, slope of stress versus plastic strain [Pa].
         force_ratio: Largest force / yield force.
         radius: Radius of the sphere [m]; the constants do not depend on it.
         strain: "small", or "finite" for a/R above 0.1.

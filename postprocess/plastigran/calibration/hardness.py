@@ -2,11 +2,12 @@
 """Flow stress from hardness, and conversions between hardness scales.
 
 Vickers hardness is the force in kgf divided by the sloping area of the indentation in mm^2. The
-projected area is sin 68 deg = 0.9272 of it and gives the mean pressure H. For a fully plastic
-indentation, H is 2.8 times the flow stress at about 8 % strain (Tabor, The Hardness of Metals,
-1951).
+mean pressure H is the force divided by the projected area, which is sin 68 deg = 0.9272 of the
+sloping area. For a fully plastic indentation, H is 2.8 times the flow stress at about 8 % strain
+(Tabor, The Hardness of Metals, 1951).
 
-Conversions between scales hold for steel that is not austenitic. Scatters are 95 % half-widths.
+Conversions between scales hold for steel that is not austenitic. Scatter is given as the half-width
+of a 95 % interval.
 """
 
 from __future__ import annotations
@@ -26,7 +27,7 @@ from plastigran.declared import Declaration, read_number
 
 CONSTRAINT_FACTOR = 2.8  # mean pressure of an indentation / flow stress
 CONSTRAINT_SCATTER = 0.07  # relative 95 % half-width of the factor: 2.6 to 3.0
-INDENTATION_STRAIN = 0.08  # strain of the flow stress of an indentation
+INDENTATION_STRAIN = 0.08  # strain at which a metal has the flow stress of an indentation
 READING_SCATTER = 0.03  # permissible relative error of a tester, ISO 6507-2
 
 #: Rockwell C and Vickers hardness of steel, ASTM E140-12b, table 1.
@@ -39,7 +40,7 @@ ROCKWELL_C_VICKERS = (
 
 @attrs.frozen
 class HardnessScale:
-    """Scale of hardness.
+    """Hardness scale.
 
     Attributes:
         numbers: Allowed numbers on the scale.
@@ -104,7 +105,10 @@ class Hardness:
 
     @property
     def scatter(self) -> float:
-        """Relative 95 % half-width of the flow stress: reading, conversion, constraint factor."""
+        """Relative 95 % half-width of the flow stress.
+
+        It combines the scatters of reading, conversion and constraint factor.
+        """
         return hypot(READING_SCATTER, SCALES[self.scale].scatter, CONSTRAINT_SCATTER)
 
     def __str__(self) -> str:
@@ -117,7 +121,7 @@ def read_hardness(hardness: Hardness | float | str) -> Hardness:
     The load after a scale, as in "380 HV10" or "200 HBW 10/3000", is accepted and ignored.
 
     Raises:
-        ValueError: The value is neither, or out of the range of the scale.
+        ValueError: The value is not such a number or text, or is out of the range of the scale.
     """
     if isinstance(hardness, Hardness):
         return hardness
@@ -147,7 +151,8 @@ def flow_stress(vickers: ArrayLike) -> np.ndarray:
 def steel_yield_strength(vickers: ArrayLike) -> np.ndarray:
     """Return the tensile yield strength [Pa] of hypoeutectoid steels from `vickers` (any shape).
 
-    A line fitted to 150 steels of 300 to 1700 MPa. It is below the flow stress under a contact.
+    The strength follows from a line fitted to 150 steels of 300 to 1700 MPa. It is lower than the
+    flow stress in a contact.
     Source: Pavlina & Van Tyne 2008, J. Mater. Eng. Perform. 17:888.
     """
     return 1e6 * (2.876 * np.asarray(vickers, dtype=float) - 90.7)

@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Yield strength with which a law reproduces measured restitutions, and its uncertainty.
 
-A measured restitution is the law's restitution times a log-normal factor. The strength has the
-least squares of the logarithm. Its 95 % interval contains every strength whose sum of squares
-exceeds the least one only by chance (profile likelihood). This needs no linearization; the interval
-may be open if the impacts are nearly elastic. The interval uses the larger of two
-scatters: the stated scatter of one measurement (normal distribution), and the scatter of the
-measurements about the law. For the latter, it uses Student's t
-distribution with n - 1 degrees of freedom.
+A measured restitution is the law's restitution times a log-normal factor. The estimated strength
+minimizes the sum of squares of the logarithm of this factor. Its 95 % interval contains every
+strength whose sum of squares exceeds the smallest one only by chance (profile likelihood). This
+needs no linearization. The interval has no upper end if the impacts are nearly elastic.
+
+The interval uses the larger of two scatters. The first is the stated scatter of one measurement,
+with a normal distribution. The second is the scatter of the n measurements about the law, with
+Student's t distribution with n - 1 degrees of freedom.
 """
 
 from __future__ import annotations
@@ -28,7 +29,7 @@ ELASTIC = 1 - 1e-6  # restitution from which an impact counts as elastic
 
 @attrs.frozen
 class Estimate:
-    """Strength from measurements.
+    """Yield strength from measured restitutions.
 
     Attributes:
         yield_strength: Least-squares value [Pa].
@@ -57,9 +58,9 @@ def estimate_strength(
         scatter: Relative standard deviation of one measurement.
 
     Raises:
-        ValueError: No impact yields at the best strength (the message has the lower bound). A
-            restitution is below that at the smallest strength. The restitution does not depend on
-            the strength.
+        ValueError: No impact yields at the best strength; the message states the lower bound. Or a
+            restitution is lower than the law's at the smallest strength. Or the restitution does
+            not depend on the strength.
     """
     measured = np.asarray(measured, dtype=float)
     target = np.log(measured)

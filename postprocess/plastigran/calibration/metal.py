@@ -56,8 +56,8 @@ class CalibratedMetal:
     def constants(self) -> dict[str, float]:
         """Constants C_a P_Y/a_Y and K_c P_Y of the law `vu_quoc_zhang` [-], by name.
 
-        They are fitted to finite elements of this metal if available. Otherwise they are the
-        defaults of the law, for perfectly plastic metals up to 41 P_Y.
+        With finite elements of this metal, they are fitted to these. Otherwise they are the
+        defaults of the law, which hold for perfectly plastic metals up to 41 P_Y.
         """
         if self.pressed is not None:
             return {name: getattr(self.pressed.fitted, name) for name in FITTED}

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A softer material with the same restitution, which allows a longer time step.
+"""Soften a material without a change of restitution, which allows a longer time step.
 
-Let Young's modulus become s E. For laws without other constants, an impact at speed v depends only
-on nu and v / v_Y, with the yield speed v_Y ~ (p_Y^5 / (E*^4 rho))^(1/2). If the yield strength is
-multiplied by s^(4/5), at the same nu and rho, v_Y and the restitution at every speed are unchanged.
-Durations, time step and overlap grow as s^(-2/5), and contact radius / radius as s^(-1/5). Forces
-decrease as s^(2/5). Constants of a law are scaled by `POWERS`.
+Young's modulus is multiplied by s < 1. For laws without other constants, an impact at speed v
+depends only on nu and v / v_Y, with the yield speed v_Y ~ (p_Y^5 / (E*^4 rho))^(1/2). If the yield
+strength is multiplied by s^(4/5), at the same nu and rho, v_Y and the restitution at every speed
+are unchanged. Durations, time step and overlap increase as s^(-2/5), and contact radius / radius
+as s^(-1/5). Forces decrease as s^(2/5). `POWERS` gives the scaling of the constants of a material.
 """
 
 from __future__ import annotations
@@ -25,22 +25,22 @@ from plastigran.physics import central
 from plastigran.physics.rebound_hardness import GRAVITATIONAL_ACCELERATION
 from plastigran.usable_laws import laws_for
 
-#: Power of s by which each constant of a material is multiplied; other constants stay.
+#: Power of s by which each constant of a material is multiplied; other constants do not change.
 POWERS = {
     "youngs_modulus": 1.0,
     "yield_strength": 0.8,
-    "tangent_modulus": 1.0,  # tangent modulus times strain (~ a/R) scales like the strength
+    "tangent_modulus": 1.0,  # times the strain, which is proportional to a/R, scales as s^(4/5)
     "dissipative_constant": -0.4,  # a time, which scales like the contact duration
 }
 #: Power of s by which durations, overlaps and time steps are multiplied.
 TIME_POWER = -0.4
-#: Largest overlap / radius at which grains count as hard: one per cent of the diameter.
+#: Largest overlap / radius of grains that count as hard: 1 % of the diameter.
 SOUND_OVERLAP = 0.02
 #: Speeds / yield speed at which laws are compared.
 SPEED_RATIOS = np.geomspace(1, 1000, 61)
 #: Change of restitution below which softening counts as exact for a law.
 EXACT = 1e-9
-#: Contacts per grain and volume fraction of a random packing.
+#: Number of contacts per grain, and volume fraction, of a random packing.
 COORDINATION, FILLING = 6, 0.6
 
 _MODULUS = Declaration("original modulus", "Pa", 1e4, 2e12)
@@ -70,20 +70,21 @@ def soften(material: Material, factor: float) -> Material:
 def comparison(
     material: Material, factor: float, radius: float, speed: float, laws: Iterable[str] = ()
 ) -> pd.DataFrame:
-    """Compare impacts of two equal spheres before and after softening, a row for each law.
+    """Compare impacts of two equal spheres before and after softening: one row per law.
 
     Args:
         material: Original material.
         factor: s [-].
         radius: Radius of the spheres [m].
         speed: Closing speed [m/s].
-        laws: Names of laws; by default those for spheres whose constants the material has.
+        laws: Names of laws; by default all laws for spheres whose constants the material has.
 
     Returns:
-        Columns law and restitution_change [-], the largest change from 1 to 1000 yield speeds, 0
-        for an exact law. Further columns, each also with the suffix _softened, are for `speed`:
-        coefficient_of_restitution [-], the recommended timestep [s], the largest overlap / radius
-        [-], and in_range, whether the impact is within the range of the law.
+        Columns law and restitution_change [-], the largest change from 1 to 1000 yield speeds; it
+        is 0 for laws that scale exactly. Further columns describe the impact at `speed`, and with
+        the suffix _softened the impact after softening: coefficient_of_restitution [-], the
+        recommended timestep [s], the largest overlap / radius [-], and in_range, whether the impact
+        is within the range of the law.
 
     Raises:
         ValueError: A number is out of range, or the material lacks a constant of a law.
@@ -128,8 +129,8 @@ def lowest_factor(impact: float, rest: Callable[[float], float] | None = None) -
 def resting_overlap(material: Material, radius: float, depth: float, law: str = "hertz") -> float:
     """Return the overlap / radius of grains at rest under a bed of the same grains [-].
 
-    A contact carries F = 4 pi R^2 p/(Z phi) of the pressure p = rho phi g h (Rumpf 1958, Chem. Ing.
-    Tech. 30:144), Z = 6 and phi = 0.6.
+    At a pressure p = rho phi g h, a contact carries F = 4 pi R^2 p/(Z phi) (Rumpf 1958, Chem. Ing.
+    Tech. 30:144), with Z = 6 contacts per grain and the volume fraction phi = 0.6.
 
     Args:
         material: Material of the grains.

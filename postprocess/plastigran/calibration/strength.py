@@ -52,8 +52,9 @@ class Strength:
         value: Yield strength [Pa].
         interval: 95 % confidence interval [Pa].
         source: Method and data, one phrase.
-        speed_ratio: Speeds of the measurement / yield speed [-]; None without impacts.
-        contact: Contact of the measurement, with that strength; None without one.
+        speed_ratio: Slowest and fastest speed of the measurement / yield speed [-]; None if the
+            measurement has no impacts.
+        contact: Contact of the measured impacts, with this strength; None without impacts.
         notes: Remarks for the user, one sentence each.
     """
 
@@ -68,11 +69,11 @@ class Strength:
 def from_hardness(hardness: Hardness, plastic_modulus: float, youngs_modulus: float) -> Strength:
     """Return the yield strength for a hardness.
 
-    It is the flow stress H/2.8 at 8 % strain minus the hardening up to that strain.
+    The strength is the flow stress H/2.8 at 8 % strain minus the hardening up to that strain.
 
     Args:
         hardness: Hardness of the metal.
-        plastic_modulus: H_p, stress over plastic strain [Pa].
+        plastic_modulus: H_p, slope of stress versus plastic strain [Pa].
         youngs_modulus: E [Pa], which identifies steel.
 
     Raises:
@@ -126,8 +127,9 @@ def from_leeb(leeb: float | str, law: str, metal: Material, scatter: float | Non
 
     Args:
         leeb: Reading, see `read_leeb`.
-        law, metal: Law, and material of the sample, whose strength is not used.
-        scatter: Relative standard deviation of the restitution; None for that of conversions.
+        law: Name of the law.
+        metal: Material of the sample; its strength is not used.
+        scatter: Relative standard deviation of the restitution; None for `LEEB_SCATTER`.
 
     Raises:
         ValueError: As for `read_leeb` and `estimate_strength`.
@@ -160,7 +162,8 @@ def from_drops(drops: DropTest, law: str, metal: Material, scatter: float | None
 
     Args:
         drops: Drop test.
-        law, metal: Law, and material of ball or plate, whose strength is not used.
+        law: Name of the law.
+        metal: Material that is calibrated, of ball or plate; its strength is not used.
         scatter: Relative standard deviation of one restitution; None for `DROP_SCATTER`.
 
     Raises:

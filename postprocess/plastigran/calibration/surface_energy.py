@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Surface energy of two bodies from their pull-off force or their sticking speed.
 
-For `jkr`, both have a closed form (Johnson, Kendall & Roberts 1971, Proc. R. Soc. Lond. A 324:301):
-F_c = 3/2 pi Gamma R*, and V_s of `physics.adhesion.jkr_sticking_speed`. For a law that yields, both
-are roots of the law itself: the pull-off force after a largest load, and the slowest rebound.
+For `jkr`, the surface energy follows from a closed form (Johnson, Kendall & Roberts 1971, Proc. R.
+Soc. Lond. A 324:301): F_c = 3/2 pi Gamma R*, or the V_s of `physics.adhesion.jkr_sticking_speed`.
+For a law that yields, it is found numerically, so that the law has the measured pull-off force
+after a given load, or the measured sticking speed.
 """
 
 from __future__ import annotations
@@ -29,11 +30,11 @@ from plastigran.materials import (
 )
 from plastigran.physics.adhesion import jkr_surface_energy, sticking_speed
 
-#: Law that is used unless another one is given.
+#: Default law.
 DEFAULT_LAW = "jkr"
 #: Smallest surface energy of the search [J/m^2].
 LEAST = 1e-9
-#: Distance of atoms [m]; jkr needs an elastic stretching that is much larger.
+#: Distance between atoms [m]; jkr is valid if the elastic stretching is much larger.
 ATOMS = 3e-10
 
 _FORCE = Declaration("pull-off force", "N", 0)
@@ -96,11 +97,11 @@ class CalibratedAdhesion:
 
     @property
     def remark(self) -> str:
-        """Source of the surface energy, for the head of a material file."""
+        """Source of the surface energy as a sentence, for the header of a material file."""
         return f"Surface energy from {self.source}, by the law {self.contact.law.name}."
 
     def __str__(self) -> str:
-        """Return a summary for people."""
+        """Return a summary as readable text."""
         numbers = self.to_dict()
         after = f" after a load of {self.load:.4g} N" if self.load else ""
         lines = {
@@ -136,12 +137,13 @@ def calibrate_adhesion(
         radius_other: Radius of body b [m]; None for a flat.
         pull_off_force: Force that separates the bodies [N].
         sticking_speed: Closing speed below which the bodies stick [m/s].
-        load: Largest compressive force before pull-off [N]; it matters only to laws that yield.
+        load: Largest compressive force before pull-off [N]; it has an effect only for laws that
+            yield.
         law: Name of a law with a surface energy.
 
     Raises:
-        ValueError: There is not exactly one measurement; the law has no surface energy; a value is
-            out of range or needs a surface energy out of range. The message names it.
+        ValueError: The number of measurements is not one; the law has no surface energy; or a value
+            is out of range, or needs a surface energy that is out of range. The message names it.
     """
     law_class(law)
     if not can_adhere(law):
@@ -224,7 +226,10 @@ def _jkr_from_speed(contact: Callable[[float], Contact], speed: float) -> float:
 
 
 def _from_force(contact: Callable[[float], Contact], load: float, force: float) -> float:
-    """Return the surface energy; flattening only increases the pull-off force, so jkr bounds it."""
+    """Return the surface energy for a pull-off force.
+
+    Flattening only increases the pull-off force, so the surface energy is at most that of jkr.
+    """
     upper = _jkr_from_force(contact, load, force)
     if not LEAST < upper < SURFACE_ENERGY.upper:
         return upper
@@ -239,7 +244,7 @@ def _from_speed(contact: Callable[[float], Contact], speed: float) -> float:
 
 
 def _root(reached: Callable[[float], bool], upper: float) -> float:
-    """Return the least surface energy at which a condition holds, which it does at `upper`."""
+    """Return the least surface energy at which a condition holds. It must hold at `upper`."""
     low, high = log(LEAST), log(upper)
     while high - low > 1e-13:
         middle = 0.5 * (low + high)
@@ -252,7 +257,7 @@ def _root(reached: Callable[[float], bool], upper: float) -> float:
 def _sticking_speed(contact: Contact) -> float:
     try:
         return float(sticking_speed(contact.law, contact.radius_eff, contact.mass_eff))
-    except ValueError:  # faster than the search allows
+    except ValueError:  # the sticking speed exceeds the largest speed of the search
         return inf
 
 
@@ -269,8 +274,8 @@ def _notes(contact: Contact, gamma: float, material: Material, b: Bodylike) -> l
     stretching = (contact.radius_eff * (gamma / contact.pair.youngs_modulus_eff) ** 2) ** (1 / 3)
     if stretching < 10 * ATOMS:
         notes.append(
-            f"the elastic stretching (R* Gamma^2/E*^2)^(1/3) is {stretching:.2g} m; the law needs "
-            f"it to be much larger than the distance of atoms, {ATOMS:g} m"
+            f"the elastic stretching (R* Gamma^2/E*^2)^(1/3) is {stretching:.2g} m; the law is "
+            f"valid if it is much larger than the distance between atoms, {ATOMS:g} m"
         )
     if b == RIGID or read_material(b) != material:
         notes.append(

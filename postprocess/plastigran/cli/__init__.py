@@ -44,7 +44,7 @@ def parser(wanted: str = "") -> argparse.ArgumentParser:
     top = argparse.ArgumentParser(
         prog="plastigran",
         description="Elasto-plastic contact laws for LIGGGHTS: runs and checks.",
-        epilog=f"exit codes:\n{listed}\n\nplastigran COMMAND --help has an example of each.",
+        epilog=f"exit codes:\n{listed}\n\nplastigran COMMAND --help shows an example.",
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     top.add_argument("--version", action="version", version=f"plastigran {version('plastigran')}")
@@ -91,7 +91,7 @@ def main(argv: list[str] | None = None) -> int:
 def _print_once() -> Callable[..., None]:
     """Return a function that shows each warning text once.
 
-    The filters of Python repeat a warning after a library has changed them.
+    Python's own filters show a warning again after a library has changed the filters.
     """
     shown = set()
 
@@ -138,7 +138,7 @@ def _report(error: Exception, arguments: argparse.Namespace) -> int:
 def _message(error: Exception, arguments: argparse.Namespace) -> str:
     """Return the message of an error; an OSError gets the name of the file or folder."""
     if isinstance(error, FileNotFoundError) and error.filename:
-        return f"no file {error.filename}"
+        return f"the file {error.filename} does not exist"
     if isinstance(error, OSError) and error.filename:
         return f"{error.filename}: {error.strerror}"
     if isinstance(error, OSError) and error.errno in (EFBIG, ENOSPC, EDQUOT):

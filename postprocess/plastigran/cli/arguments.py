@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Arguments that several subcommands take."""
+"""Arguments of several subcommands."""
 
 from __future__ import annotations
 
@@ -156,7 +156,7 @@ def add_laws(command: argparse.ArgumentParser, bodies: str) -> None:
 
 
 def add_material(command: argparse.ArgumentParser, default: str | None = None) -> None:
-    """Add the material of a body; without a default it is required."""
+    """Add the material of a body; it is required if there is no default."""
     shown = f", default {default}" if default else ""
     command.add_argument(
         "--material",
@@ -171,7 +171,7 @@ def add_jobs(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--jobs",
         type=positive_integer,
-        help="LIGGGHTS processes at a time, default number of cores",
+        help="number of LIGGGHTS processes at a time, default number of cores",
     )
 
 
@@ -180,4 +180,4 @@ def add_output(command: argparse.ArgumentParser, default: str) -> None:
     command.add_argument(
         "--output", type=Path, default=Path(default), help=f"folder of results, default {default}"
     )
-    command.add_argument("--force", action="store_true", help="overwrite results")
+    command.add_argument("--force", action="store_true", help="overwrite earlier results")

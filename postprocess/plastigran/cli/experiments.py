@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Command of an experiment, made from the declarations of the experiment."""
+"""Command of an experiment, which follows from the declarations of the experiment."""
 
 from __future__ import annotations
 
@@ -143,7 +143,7 @@ def run(experiment: type[Experiment], arguments: argparse.Namespace) -> None:
             show_study(runs, folder, arguments.json)
     else:
         _need_engine(experiment, settings.get("host", experiment.host))
-        with lock_folder(folder):  # the lock must cover the figures, too
+        with lock_folder(folder):  # keep the lock until the figures are written
             runs = experiment.study(folder, arguments.jobs, force=arguments.force, **settings)
             show_study(runs, folder, arguments.json)
 
@@ -179,10 +179,10 @@ def _values(
     values: list[float] | None,
     arguments: argparse.Namespace,
 ) -> Any:
-    """Return the values of a flag, or of the range that --`word`s and --points give.
+    """Return the values of a flag, or of the range that the flags --`word`s and --points define.
 
     Raises:
-        ValueError: Values and a range are given, or a range of two ends has one point.
+        ValueError: Both values and a range are given, or a range has two ends but one point.
     """
     ends, points = getattr(arguments, f"{word}s"), arguments.points
     if values is not None:

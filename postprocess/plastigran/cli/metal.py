@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Arguments of finite-element commands of a sphere or a body hit by a cylinder."""
+"""Arguments of the finite-element commands: metals, planes and strain."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from plastigran.fem.settings import Settings
 
 
 def add_metal(command: argparse.ArgumentParser, radius: float | None = 0.1) -> None:
-    """Add the metal, the radius and --json; --elastic may replace --yield."""
+    """Add the metal, the radius and --json. The user gives --elastic or --yield."""
     add_elastic(command, radius)
     strength = command.add_mutually_exclusive_group(required=True)
     strength.add_argument(
@@ -67,7 +67,7 @@ def add_strain(command: argparse.ArgumentParser) -> None:
 
 
 def add_plane(command: argparse.ArgumentParser) -> None:
-    """Add the metal of a half space under the sphere; without it the plane is rigid."""
+    """Add the metal of a half space under the sphere. Without these flags, the plane is rigid."""
     for name, value_type, meaning in (
         ("young", positive, "Young's modulus of a half space, Pa; default: rigid plane"),
         ("poisson", float, "Poisson's ratio of the half space, default that of the sphere"),
@@ -105,7 +105,7 @@ def plane(arguments: argparse.Namespace) -> ElasticPlastic | None:
     given = {name: value for name, value in given.items() if value is not None}
     if "young" not in given:
         for name, value in given.items():
-            raise ValueError(f"--plane-{name} is {value:g}; it needs --plane-young")
+            raise ValueError(f"--plane-{name} is {value:g}, but --plane-young is missing. Add it")
         return None
     return ElasticPlastic(
         youngs_modulus=given["young"],
@@ -122,7 +122,7 @@ def _hardening(
     if strength is not None:
         return LinearHardening(strength, modulus or 0.0)
     if modulus is not None:
-        raise ValueError(f"{prefix}hardening is {modulus:g}; it needs {prefix}yield")
+        raise ValueError(f"{prefix}hardening is {modulus:g}, but {prefix}yield is missing. Add it")
     return None
 
 

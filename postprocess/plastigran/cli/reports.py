@@ -21,7 +21,7 @@ def add_evidence_arguments(command: argparse.ArgumentParser, results: str, pages
     command.add_argument(
         "--output", type=Path, metavar="DIR", help=f"folder of results, default {results}"
     )
-    command.add_argument("--force", action="store_true", help="overwrite results")
+    command.add_argument("--force", action="store_true", help="overwrite earlier results")
     command.add_argument(
         "--docs",
         type=Path,
@@ -32,7 +32,7 @@ def add_evidence_arguments(command: argparse.ArgumentParser, results: str, pages
     command.add_argument(
         "--coarse",
         action="store_true",
-        help="use coarse meshes and few cases for a quick look; errors of some per cent",
+        help="use coarse meshes and few cases for a quick look; the errors are some per cent",
     )
     add_json(command)
 
@@ -50,7 +50,7 @@ def run_evidence(evidence: Evidence, head: str, arguments: argparse.Namespace) -
             `Evidence.run`.
         EngineError: LIGGGHTS stopped with an error.
     """
-    # imported here, because matplotlib is slow to load
+    # Imported here, because matplotlib is slow to load.
     from plastigran.report.pages import publish, read_pages, to_markdown
 
     folder = arguments.output or Path("results") / evidence.name

@@ -47,14 +47,14 @@ def checkpoints(folder: str | Path) -> list[Path]:
 def newest_checkpoint(folder: str | Path) -> Path:
     """Return the newest complete checkpoint of a run.
 
-    LIGGGHTS writes the checkpoint of a step before the line of the log, and decks write checkpoints
-    at steps that have a line. A checkpoint beyond the last line may therefore be incomplete.
-    Damaged checkpoints are skipped with a warning. A killed run may have left a complete
-    checkpoint without a checksum.
+    LIGGGHTS writes the checkpoint of a step before the log line of this step. Decks write
+    checkpoints only at steps that have a log line. A checkpoint later than the last log line may
+    therefore be incomplete. Damaged checkpoints are skipped with a warning. A complete checkpoint
+    may have no checksum if its run was killed.
 
     Raises:
-        EngineError: There is no complete checkpoint; the message names the newest one beyond the
-            log.
+        EngineError: There is no complete checkpoint. The message names the newest checkpoint that
+            is later than the log.
     """
     log, beyond = Path(folder) / LOG, None
     progress = LogFollower(log).read()
@@ -81,7 +81,7 @@ def newest_checkpoint(folder: str | Path) -> Path:
 
 
 class ChecksumWriter:
-    """Writes a checksum for each checkpoint of a run as soon as the checkpoint is complete.
+    """Writer of a checksum for each checkpoint of a run, as soon as the checkpoint is complete.
 
     Args:
         folder: Folder of the run.
@@ -96,7 +96,7 @@ class ChecksumWriter:
         """Write the missing checksums.
 
         Warns:
-            UserWarning: A checksum cannot be written; once per run.
+            UserWarning: A checksum cannot be written. The warning appears once per run.
         """
         try:
             self._write()
@@ -145,7 +145,10 @@ def _checksum_file(checkpoint: Path) -> Path:
 
 
 def _lacks_checksum(checkpoint: Path) -> bool:
-    """Return whether the checksum is missing or older; a deck may restart its step count."""
+    """Return whether the checksum is missing, or older than the checkpoint.
+
+    A deck that restarts its step count writes the same checkpoint again.
+    """
     file = _checksum_file(checkpoint)
     return not file.exists() or file.stat().st_mtime_ns < checkpoint.stat().st_mtime_ns
 
@@ -186,10 +189,11 @@ def fetch_signal_file(working_folder: Path, earlier: dict[Path, int], folder: Pa
 def is_complete(checkpoint: Path) -> bool:
     """Return whether a restart file is complete.
 
-    Each rank writes the number of its values (four bytes) and the values (eight bytes each). The
-    values are those of one particle after the other; the first is their number for the particle.
-    A rank without particles writes only the number 0. The function looks for the last part with
-    particles. A file that ends exactly with the part of an earlier rank passes the test.
+    Each rank writes the number of its values (four bytes) and then the values (eight bytes each).
+    The values of one particle follow those of another; the first value of a particle is their
+    number. A rank without particles writes only the number 0. The function searches for the last
+    part that has particles. A file that ends exactly after the part of an earlier rank passes the
+    test.
     """
     size = checkpoint.stat().st_size
     if size < 4:
@@ -208,7 +212,7 @@ def is_complete(checkpoint: Path) -> bool:
 
 
 def _trailing_zeros(numbers: np.ndarray) -> int:
-    """Return how many of the numbers (n,) are 0 at the end."""
+    """Return the number of zeros at the end of the numbers (n,)."""
     for end in range(len(numbers), 0, -_BLOCK):
         start = max(0, end - _BLOCK)
         if (nonzero := np.flatnonzero(numbers[start:end])).size:
@@ -217,7 +221,7 @@ def _trailing_zeros(numbers: np.ndarray) -> int:
 
 
 def _holds_particles(values: np.ndarray) -> bool:
-    """Return whether values (n,) are complete particles, each led by its number of values."""
+    """Return whether values (n,) are complete particle records, each starting with its length."""
     at = 0
     while at < len(values):
         count = values[at]

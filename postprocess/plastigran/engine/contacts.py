@@ -43,7 +43,7 @@ def contact_columns(kind: str, fields: list[str], total: int) -> list[str]:
     Args:
         kind: "PAIR" or "WALL".
         fields: Fields of `compute pair/gran/local` or `wall/gran/local`, in any order.
-        total: Number of columns; those without field belong to the contact history.
+        total: Number of columns; columns without field belong to the contact history.
 
     Returns:
         `total` names.
@@ -80,8 +80,7 @@ def read_contacts(
         path: File. Its label gives kind and fields (`dump_modify ID label "PAIR pos id ..."`).
         kind: "PAIR" or "WALL", for a file without such a label.
         fields: Fields of the compute, e.g. "pos id force delta", for a file without such a label.
-        touching: Whether to drop near neighbors without overlap and force, which LIGGGHTS also
-            lists.
+        touching: Whether to drop neighbors without overlap and force, which LIGGGHTS lists too.
 
     Returns:
         One row per contact and frame: `step`, then columns named as in `PAIR_COLUMNS` and
@@ -100,7 +99,7 @@ def read_contact_frames(
 ) -> Iterator[pd.DataFrame]:
     """Read a dump of contacts frame by frame; the file may be larger than the memory.
 
-    Arguments, frames and errors are those of `read_contacts`.
+    Arguments, columns and errors are the same as for `read_contacts`.
     """
     for label, counts, table in read_tables(path, BATCH):
         table.columns = _column_names(path, label, table, kind, fields)

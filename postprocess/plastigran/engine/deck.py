@@ -86,9 +86,9 @@ class DeckSource:
     def copy(self, folder: Path) -> Path:
         """Copy the files into a folder and return the copied script.
 
-        Files keep their place in the inputs or below the folder of the script. Other files are
-        copied by name, with a number if the name is taken. Run the copy with `folder` as its
-        inputs.
+        Files in the folder of inputs or in the folder of the script keep their relative paths.
+        Other files are copied by name, with a number if the name is taken. Run the copy with
+        `folder` as its folder of inputs.
         """
         copied: dict[Path, Path] = {}
         for file in self.files:
@@ -117,7 +117,7 @@ def _with_values(text: str, settings: Mapping[str, str]) -> str:
 
 
 def _possible_values(include: str, settings: Mapping[str, str], deck: Path) -> str:
-    """Return the possible values of a setting that names an include, in words; else ""."""
+    """Return the possible values of the setting in the name of an include, in words; else ""."""
     names = [name for name in _REFERENCE.findall(include) if name not in ("inputs", "materials")]
     if len(names) != 1 or names[0] not in settings:
         return ""
@@ -164,12 +164,12 @@ def find_deck(deck: str | Path) -> Path:
         if path.is_file():
             return path.resolve()
     if is_path:
-        raise EngineError(f"no input script {name}")
+        raise EngineError(f"the input script {name} does not exist")
     raise EngineError(f"no deck {name!r}. Available decks: {', '.join(deck_names())}")
 
 
 def read_deck(deck: str | Path, values: Mapping[str, object], folder: Path) -> DeckSource:
-    """Read a deck with its includes as LIGGGHTS will, from the folder of the deck.
+    """Read a deck with its includes, as LIGGGHTS reads them in the folder of the deck.
 
     Includes whose names contain variables that are not settings are not read.
 

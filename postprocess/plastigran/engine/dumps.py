@@ -2,8 +2,8 @@
 """Read dumps of LIGGGHTS, completely or frame by frame.
 
 Every reader returns a pandas DataFrame in SI units with one row per item and time step. Columns
-have the names of the file. A file that was cut short by a full disk or a killed run is read as far
-as it is complete, with a `TruncatedFileWarning`.
+have the names of the file. If a full disk or a killed run has truncated a file, its complete part
+is read with a `TruncatedFileWarning`.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ def _frames(path: Path) -> Iterator[_Frame]:
         lines, step = enumerate(file, start=1), None
 
         def take(start: str = "", may_end: bool = False) -> str:
-            """Return the next line, which must begin with `start`; EOFError if it is cut short."""
+            """Return the next line, which must begin with `start`; EOFError if it is truncated."""
             number, line = next(lines, (0, ""))
             cut = not line.endswith("\n")
             if not line.startswith(start[: len(line)] if cut else start):
@@ -77,7 +77,7 @@ def _frames(path: Path) -> Iterator[_Frame]:
         except DumpError:
             raise
         except ValueError as error:
-            raise DumpError(f"{path}: unreadable frame header ({error})") from error
+            raise DumpError(f"{path}: a frame header is unreadable ({error})") from error
 
 
 def _label_and_columns(header: str) -> tuple[str, list[str]]:
@@ -92,7 +92,7 @@ def _label_and_columns(header: str) -> tuple[str, list[str]]:
 def read_tables(
     path: str | Path, rows: int | None
 ) -> Iterator[tuple[str, list[int], pd.DataFrame]]:
-    """Read complete frames with at least `rows` rows in total, or all of them.
+    """Read complete frames in parts of at least `rows` rows; all in one part if `rows` is None.
 
     Yields:
         Label of the dump, number of rows of each frame, and table of the frames.
@@ -110,7 +110,7 @@ def read_tables(
             yield _table(path, batch)
             batch, count = [], 0
     if not columns:
-        raise DumpError(f"{path}: no complete frame")
+        raise DumpError(f"{path} contains no complete frame")
     if batch:
         yield _table(path, batch)
 
@@ -152,7 +152,7 @@ def read_dump(path: str | Path) -> pd.DataFrame:
 
     Returns:
         One row per atom and frame, (N_frames * N_atoms, 1 + N_columns): `step`, then the columns of
-        the dump; computes, fixes and variables lose their `c_`, `f_`, `v_`.
+        the dump, without the prefixes `c_`, `f_` and `v_` of computes, fixes and variables.
 
     Raises:
         DumpError: The file is not a dump, or its rows have different lengths.
@@ -165,8 +165,8 @@ def read_frames(path: str | Path) -> Iterator[pd.DataFrame]:
     """Read a `dump custom` file frame by frame; the file may be larger than the memory.
 
     Yields:
-        Each frame as `read_dump` returns it, (N_atoms, 1 + N_columns); a column may have integers
-        in one frame and floats in another.
+        One frame, (N_atoms, 1 + N_columns), with the columns of `read_dump`. A column may have
+        integers in one frame and floats in another.
 
     Raises:
         DumpError: As for `read_dump`.
@@ -176,7 +176,7 @@ def read_frames(path: str | Path) -> Iterator[pd.DataFrame]:
 
 
 def split_frames(table: pd.DataFrame, counts: list[int]) -> Iterator[pd.DataFrame]:
-    """Return the table of some frames as one table per frame, given the number of rows of each."""
+    """Split the table of several frames into tables of single frames with `counts` rows."""
     ends = np.cumsum(counts)
     for first, end in zip(ends - counts, ends, strict=True):
         yield table.iloc[first:end].reset_index(drop=True)

@@ -10,7 +10,7 @@ from fcntl import LOCK_EX, LOCK_NB, flock
 from pathlib import Path
 from threading import get_ident
 
-# Locked folders, with the ID of the thread of this process that locked each.
+# Locked folders, each with the ID of the thread of this process that has locked it.
 _locked: set[tuple[Path, int]] = set()
 
 

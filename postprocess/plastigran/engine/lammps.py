@@ -19,7 +19,7 @@ ADDITIONS = ("LAMMPS_PLUGIN_PATH", "PLASTIGRAN_MATERIALS")
 
 
 def lammps_path() -> Path:
-    """Return the program: $PLASTIGRAN_LAMMPS, or `lmp` of the project or Python environment.
+    """Return the path of LAMMPS: $PLASTIGRAN_LAMMPS, or `lmp` of the project or environment.
 
     Raises:
         EngineError: LAMMPS is missing.
@@ -36,7 +36,7 @@ def lammps_path() -> Path:
 
 
 def plugin_path() -> Path:
-    """Return the plugin: $PLASTIGRAN_LAMMPS_PLUGIN, or the file in the folder `build`.
+    """Return the path of the plugin: $PLASTIGRAN_LAMMPS_PLUGIN, or the file in `build`.
 
     Raises:
         EngineError: The plugin is missing.
@@ -52,20 +52,20 @@ def plugin_path() -> Path:
 
 
 def lammps_environment() -> dict[str, str]:
-    """Return the environment in which LAMMPS finds the plugin and the files of materials."""
+    """Return environment variables with which LAMMPS finds the plugin and the material files."""
     defaults = {"OMP_NUM_THREADS": "1", "PLASTIGRAN_MATERIALS": str(own_inputs() / "materials")}
     return defaults | os.environ | {"LAMMPS_PLUGIN_PATH": str(plugin_path().parent)}
 
 
 def lammps_command(words: Sequence[str], ranks: int = 1) -> list[str]:
-    """Return the command line of LAMMPS with `words`, started by the MPI beside the program."""
+    """Return the command line of LAMMPS with `words`, with the mpirun in the folder of LAMMPS."""
     program = lammps_path()
     launcher = [str(program.parent / "mpiexec"), "-n", str(ranks)] if ranks > 1 else []
     return [*launcher, str(program), *words]
 
 
 def deck_words(deck: Path, variables: Mapping[str, object]) -> list[str]:
-    """Return the words for an input script and its variables; variables with None are left out."""
+    """Return the words for an input script and its variables; omit variables with value None."""
     words = ["-in", str(deck.resolve()), "-log", LOG]
     for name, value in variables.items():
         if value is not None:

@@ -31,9 +31,9 @@ THERMO_COLUMNS = {
 _RUN = re.compile(r"run\s+(\d+)(\s+upto)?\s*$")
 #: Line that a deck with several runs prints before the first run.
 _PLANNED = re.compile(r"planned steps = (\d+)\s*$")
-#: Error line of LIGGGHTS. The word must start the line, because a deck may also print or echo it.
+#: Error line of LIGGGHTS. ERROR must start the line, because a deck may print or echo this word.
 _ERROR = re.compile(r"^ERROR(?: on proc \d+)?: .*", re.MULTILINE)
-#: Warning of the plugin or launcher, without the place in the source.
+#: Warning of the plugin or launcher, without its position in the source code.
 _WARNING = re.compile(r"^WARNING: plastigran: (.*?)(?: \(\S+:\d+\))?$", re.M)
 #: Machine-readable line of a contact model before its first run.
 _LAW = re.compile(r"^plastigran law (\w+)$", re.M)
@@ -55,12 +55,12 @@ def find_excess(text: str) -> dict[str, float]:
 
 
 def find_error(text: str) -> str | None:
-    """Return the last error line of a log or screen; None without error."""
+    """Return the last error line of a log or screen output; None if there is no error."""
     return next(reversed(_ERROR.findall(text)), None)
 
 
 def find_warnings(text: str) -> list[str]:
-    """Return the warnings of contact models and launcher in a log, in order.
+    """Return the warnings of the contact models and of the launcher in a log, in order.
 
     Warnings that differ only in numbers count as one; the last of them is returned.
     """
@@ -241,7 +241,7 @@ def _number(words: list[str]) -> float:
 
 
 def _distinct(names: list[str]) -> list[str]:
-    """Return distinct column names; LIGGGHTS truncates long ones, and equal ones get a number."""
+    """Return distinct column names: equal names get a number, because LIGGGHTS truncates names."""
     columns: list[str] = []
     counts: dict[str, int] = {}
     for name in (THERMO_COLUMNS.get(name, name) for name in names):

@@ -34,7 +34,7 @@ class EngineStopped(EngineError):
 
 
 def own_inputs() -> Path:
-    """Return the folder of the project's input scripts, or of the copy in an installed package."""
+    """Return the folder of the project's input scripts, or their copy in an installed package."""
     folder = PROJECT / "inputs"
     return folder if folder.is_dir() else Path(__file__).resolve().parents[1] / "inputs"
 
@@ -48,7 +48,7 @@ def inputs_folder() -> Path:
 
 
 def engine_path() -> Path:
-    """Return the launcher: $PLASTIGRAN_ENGINE, the project's build, or the first on PATH."""
+    """Return the path of the launcher: $PLASTIGRAN_ENGINE, the build, or the first on PATH."""
     named = os.environ.get("PLASTIGRAN_ENGINE")
     path = Path(named).absolute() if named else PROJECT / "build" / "liggghts-plastigran"
     if os.access(path, os.X_OK):
@@ -70,8 +70,8 @@ def command(
 ) -> list[str]:
     """Return the command line that runs a deck with its results in `folder`.
 
-    A path that LIGGGHTS would misread is replaced by a link in `folder`, which is created here.
-    Variables with the value None are left out.
+    This function creates a link in `folder` for each path that LIGGGHTS would misread. Variables
+    with the value None are omitted.
 
     Do not add `-screen none`: the mesh reader of LIGGGHTS then writes to a null file and crashes.
     """
@@ -120,7 +120,7 @@ def _command(
 def misread(path: str) -> bool:
     """Return whether LIGGGHTS misreads a path.
 
-    It splits lines at white space, and replaces * and % by a step and a rank.
+    LIGGGHTS splits lines at white space, and replaces * and % by a step and a rank.
     """
     return any(letter.isspace() or letter in "*%" for letter in path)
 
@@ -128,8 +128,9 @@ def misread(path: str) -> bool:
 def environment() -> dict[str, str]:
     """Return the environment for mpirun, with the permission to run as root.
 
-    Ranks that outnumber the cores yield while they wait. OMPI_MCA_mpi_yield_when_idle=1 makes all
-    ranks yield. This is best on a busy machine; on an idle machine ranks are faster without it.
+    If there are more ranks than cores, waiting ranks yield the processor. With
+    OMPI_MCA_mpi_yield_when_idle=1, all waiting ranks do. This setting is best on a busy machine; on
+    an idle machine, ranks are faster without it.
     """
     permission = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
     return (permission if os.geteuid() == 0 else {}) | os.environ
@@ -148,8 +149,8 @@ def run_deck(
 ) -> str:
     """Run a deck to its end.
 
-    LIGGGHTS never outlives this function: an error, Ctrl-C or the time-out stops it with all its
-    ranks, and it stops if Python is killed. Files written so far stay.
+    LIGGGHTS never outlives this function: an error, Ctrl-C or the time-out stops all its ranks.
+    LIGGGHTS also stops if Python is killed. Files that were already written are kept.
 
     Args:
         deck: Path of the input script, absolute or relative to `inputs_folder()`.
@@ -157,7 +158,7 @@ def run_deck(
         folder: Folder of the results; created if missing.
         ranks: Number of MPI ranks.
         timeout: Seconds before the run is stopped; None for no limit.
-        progress: Whether to show a progress bar; in a pipe, lines.
+        progress: Whether to show a progress bar, or lines if the output is not a terminal.
         working_folder: Folder in which LIGGGHTS runs, where relative paths of the deck start;
             `folder` if None.
         planned: Total steps of all runs of the deck for the progress bar, or 0 if unknown.
@@ -168,18 +169,18 @@ def run_deck(
 
     Raises:
         EngineError: The deck or LIGGGHTS is missing.
-        EngineStopped: LIGGGHTS ended with an error or took too long. The message quotes the error
-            and earlier warnings of contact models: the first two, and the last.
+        EngineStopped: LIGGGHTS ended with an error or took too long. The message quotes the error,
+            and the first two and the last of the earlier warnings of contact models.
     """
     folder = Path(folder).resolve()
     folder.mkdir(parents=True, exist_ok=True)
     deck = inputs_folder() / deck
     if not deck.is_file():
-        raise EngineError(f"no deck {deck}")
+        raise EngineError(f"the deck {deck} does not exist")
     words = command(deck, variables, folder, ranks)
-    # Write the screen output to a file: with a pipe, a helper process of MPI that outlives LIGGGHTS
-    # would block this process. Start a session of its own, so that the terminal's Ctrl-C reaches
-    # LIGGGHTS only once, from here.
+    # Write the screen output to a file, because with a pipe a helper process of MPI that outlives
+    # LIGGGHTS would block this process. Start LIGGGHTS in a new session, so that only this process
+    # receives Ctrl-C from the terminal and then stops LIGGGHTS.
     log, screen = folder / LOG, folder / "screen.txt"
     with (
         open(screen, "w") as output,
@@ -262,12 +263,12 @@ def _stop(process: subprocess.Popen, folder: Path) -> None:
 
 
 def _reason(returncode: int, output: str) -> str:
-    """Return why a run ended, from its exit code, log and screen output, including warnings."""
+    """Return why a run ended, from its exit code and its output (log and screen), with warnings."""
     if error := find_error(output):
-        # The first warnings, before any step, often show the cause; the last is the latest.
+        # Quote the first warnings, which often show the cause, and the latest one.
         first, last = find_warnings(output)[:2], find_warnings(output)[2:][-1:]
         return f"{error}; earlier warnings: {'; '.join(first + last)}" if first else error
-    # mpirun returns 128 plus the number of the signal
+    # mpirun returns 128 plus the number of the signal.
     number = -returncode if returncode < 0 else returncode - 128
     if number in set(signal.Signals):
         return f"LIGGGHTS was stopped by the signal {signal.Signals(number).name}"

@@ -27,7 +27,7 @@ def read_spectra(path: str | Path) -> pd.DataFrame:
         path: File.
 
     Returns:
-        Columns: `step` of the table, which counts impacts that ended since the previous one;
+        Columns: `step` of the table, which counts the impacts that ended since the previous table;
         `quantity`, a key of QUANTITIES; `with`, PARTICLE or the ID of a wall; atom types `type` and
         `other_type`; `lower` and `upper` edge of the class, both 0 for values that are not
         positive; `count` of impacts and `sum` of their values. Units are those of the deck.

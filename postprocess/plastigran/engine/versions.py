@@ -15,7 +15,7 @@ HOSTS = ("liggghts", "lammps")
 
 
 def versions(host: str = "liggghts") -> dict[str, str]:
-    """Return the version of this package, the host, and file and SHA-256 of the plugin.
+    """Return the version of this package, the name of the host, and file and SHA-256 of the plugin.
 
     Raises:
         EngineError: The host is missing.

@@ -16,8 +16,8 @@ class RunBar:
         name: Text before the bar.
         log: Log of LIGGGHTS; it may be created later.
         shown: Whether to show the bar.
-        planned: Total steps of all runs of the deck, or 0 if unknown. The log may then show them
-            (`print "planned steps = N"`); otherwise the bar covers the current run.
+        planned: Total steps of all runs of the deck, or 0 if unknown. The bar then uses the line
+            `planned steps = N` of the log; without this line, it covers only the current run.
     """
 
     def __init__(self, name: str, log: Path, shown: bool = True, planned: int = 0) -> None:

@@ -26,7 +26,7 @@ def combinations(values: Mapping[str, Any]) -> list[dict[str, Any]]:
     """Return every combination of values; the first name varies slowest.
 
     Args:
-        values: Maps a name to one value or an iterable of values.
+        values: One value, or an iterable of values, by name.
     """
     chosen = product(*map(several, values.values()))
     return [dict(zip(values, combination, strict=True)) for combination in chosen]
@@ -34,7 +34,7 @@ def combinations(values: Mapping[str, Any]) -> list[dict[str, Any]]:
 
 @attrs.frozen
 class Experiment(Case):
-    """One case of an experiment. Its fields are the inputs, declared with units and bounds.
+    """One case of an experiment. The fields are its inputs, declared with units and bounds.
 
     A subclass must define `deck` and `measure`. A subclass with a `command` is also a command of
     `plastigran`.
@@ -43,7 +43,7 @@ class Experiment(Case):
         help: Purpose of the command, in one line.
         example: Example of the command; by default the command with its required flags.
         has_theory: Whether `theory` can run the study without LIGGGHTS.
-        flags: Settings of its study by name; by default the declared fields.
+        flags: Settings of the study by name; by default the declared fields.
     """
 
     help: ClassVar[str] = ""
@@ -56,7 +56,7 @@ class Experiment(Case):
         """Return every combination of field values, each case once; the first field varies slowest.
 
         Args:
-            values: Maps a field to one value or an iterable of values.
+            values: One value, or an iterable of values, by the name of the field.
 
         Raises:
             ValueError: A case cannot be run; the message gives the reason.

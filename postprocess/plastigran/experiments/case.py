@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 @attrs.frozen
 class Case:
-    """One case of an experiment; `Experiment` adds studies of many cases.
+    """One case of an experiment. The subclass `Experiment` adds studies of many cases.
 
     Attributes:
         command: Name of the command of the experiment.
@@ -139,7 +139,7 @@ class Case:
 
     @classmethod
     def summary(cls, runs: Any) -> str:
-        """Return the printed summary: the results table, and the laws used beyond their range."""
+        """Return the printed summary: the results table, and the laws used outside their range."""
         text = [format_table(runs.table, cls.shown)]
         if "in_range" in runs.table:
             text.append(format_range(runs.table))

@@ -49,8 +49,8 @@ def collide(
         fields: Further fields of the case, such as a cylinder's `mass`.
 
     Returns:
-        The runs: `.table`, `.outcomes`, `.figure("restitution")`. Printing them shows the table
-            with remarks.
+        The runs, with `.table`, `.outcomes` and `.figure("restitution")`. `print` shows the table
+        with remarks.
 
     Raises:
         ValueError: A case cannot be run; the message gives the reason.

@@ -26,7 +26,7 @@ class CollisionOutcome:
     Attributes:
         closing_speed: Speed before contact [m/s].
         coefficient_of_restitution: Normal separation / closing speed [-]; 0 if the bodies stick.
-        force_max: Largest force [N]; if measured, of the frames.
+        force_max: Largest force [N]; if measured, the largest value of the frames.
         overlap_max: Largest overlap [m].
         overlap_res: Overlap at zero force during unloading [m].
         loading_time: Time from first touch to largest overlap [s]; None if not predicted.
@@ -95,9 +95,9 @@ def force_overlap_loop(trajectory: pd.DataFrame) -> pd.DataFrame:
 def measure(trajectory: str | Path | pd.DataFrame) -> CollisionOutcome:
     """Measure the collision in a trajectory.
 
-    Times and extremes between two frames are interpolated. The largest overlap is that of the cubic
-    through the overlaps and speeds of two frames. The residual overlap is where the unloading curve
-    through the last loaded frames has no force.
+    Times and extremes between two frames are interpolated. The largest overlap is the maximum of
+    the cubic through the overlaps and speeds of two frames. The residual overlap is the overlap at
+    which the unloading curve through the last loaded frames has zero force.
 
     Args:
         trajectory: A custom dump written every step, or its table of `read_dump`.
@@ -113,8 +113,8 @@ def measure(trajectory: str | Path | pd.DataFrame) -> CollisionOutcome:
 def measure_loop(loop: pd.DataFrame) -> CollisionOutcome:
     """Measure the collision in its table `CollisionOutcome.loop`; see `measure`.
 
-    The separation speed is that of the first frame without force, because later changes do not come
-    from the contact.
+    The separation speed is the speed in the first frame without force, because the contact does not
+    cause later changes.
 
     Raises:
         CollisionError: The bodies never touch, or are still in contact at the end.
@@ -127,13 +127,13 @@ def measure_loop(loop: pd.DataFrame) -> CollisionOutcome:
         raise CollisionError("the bodies never touch")
     start, last = touching[0], touching[-1]
     if start == 0:
-        raise CollisionError("already in contact at the first frame")
+        raise CollisionError("the bodies are already in contact in the first frame")
     opening = np.flatnonzero(speed[start:] < 0) + start
     turn = int(opening[0]) if opening.size else len(loop)  # first frame of unloading
     stuck = last == len(loop) - 1 and bool((speed[turn:] > 0).any())
     if not stuck and (last == len(loop) - 1 or speed[-1] >= 0):
         raise CollisionError(
-            f"still in contact at the last frame (t = {time[-1]:g} s). "
+            f"the bodies are still in contact in the last frame (t = {time[-1]:g} s). "
             "Increase the duration of the run"
         )
     touch = _crossing(time, overlap, speed, start - 1, 0.0)
@@ -162,14 +162,15 @@ def measure_loop(loop: pd.DataFrame) -> CollisionOutcome:
 
 
 def _crossing(time, value, rate, k: int, level: float) -> float:
-    """Return the time after time[k] at which `value` crosses `level`, from value and rate at k."""
+    """Return when `value` crosses `level` after time[k], from its values and rates."""
     return time[k] + (level - value[k]) / rate[k]
 
 
 def _residual(overlap, force) -> float:
     """Return the overlap at zero force from the last frames of a rebound, in order of time.
 
-    Laws unload as (overlap - overlap_res)^n with n near 3/2, or as Hertz' power 3/2 divided by a
+    In most laws, the force during unloading is proportional to (overlap - overlap_res)^n with n
+    near 3/2. In `universal`, it is proportional to (overlap - overlap_res)^(3/2) divided by a
     linear function of (overlap - overlap_res)^(1/2). Three frames determine the constants of either
     form. A fourth frame, if there is one, selects the form.
     """
@@ -186,7 +187,7 @@ def _residual(overlap, force) -> float:
 def _end_of_power(overlap, force) -> tuple[float, Callable]:
     """Fit force = c (overlap - overlap_res)^n to three frames, or n = 3/2 to fewer.
 
-    With the right n, force^(1/n) is a straight line over the overlap.
+    With the right n, force^(1/n) is a linear function of the overlap.
 
     Returns:
         The residual overlap, and the fitted force as a function of the overlap.
@@ -201,7 +202,7 @@ def _end_of_power(overlap, force) -> tuple[float, Callable]:
         def bend(n: float) -> float:
             return np.subtract(*slopes(n))
 
-        # The search for the exponent starts below 1, the exponent of a straight line.
+        # Start the search below n = 1, which is the exponent of linear unloading.
         if bend(0.9) * bend(3.0) < 0:
             n = brentq(bend, 0.9, 3.0, xtol=1e-9)
     residual = overlap[-1] - force[-1] ** (1 / n) / slopes(n)[-1]
@@ -212,7 +213,7 @@ def _end_of_power(overlap, force) -> tuple[float, Callable]:
 def _end_of_bent_power(overlap, force) -> tuple[float, Callable]:
     """Fit force = c z^3/(1 + g z) with z = (overlap - overlap_res)^(1/2) to three frames.
 
-    With the right residual overlap, z^3/force is a straight line over z. Without a solution, the
+    With the right residual overlap, z^3/force is a linear function of z. Without a solution, the
     results are NaN.
 
     Returns:
@@ -227,7 +228,7 @@ def _end_of_bent_power(overlap, force) -> tuple[float, Callable]:
         z, over = line(residual)
         return np.subtract(*(np.diff(over) / np.diff(z)))
 
-    # Another root is close to the last frame; the residual overlap is farther away.
+    # Search far from the last frame first, because there is another root close to it.
     reach = overlap[-1] - (overlap[0] - overlap[-1]) * np.geomspace(3, 1e-6, 40)
     bends = np.array([bend(residual) for residual in reach])
     signs = np.flatnonzero(bends[1:] * bends[:-1] < 0)
@@ -247,7 +248,7 @@ def _end_of_bent_power(overlap, force) -> tuple[float, Callable]:
 def _turning_point(time, value, rate, k: int) -> tuple[float, float]:
     """Return time and value of the maximum of the cubic through frames k and k+1."""
     step = time[k + 1] - time[k]
-    fraction = rate[k] / (rate[k] - rate[k + 1])  # the rate is zero there, to first order
+    fraction = rate[k] / (rate[k] - rate[k + 1])  # where the linearly interpolated rate is zero
     h = np.polynomial.Polynomial
     t = h([0, 1])
     cubic = (

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Declarations for cases: flags of studies, and fields and checks that several cases share."""
+"""Declarations for cases: flags of studies, and fields and checks of several cases."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ class Flag:
         default: Default value, or tuple of values; "all" means every usable law.
         name: Name of the flag, if it differs from the setting.
         declaration: Declaration, if the setting is not a field of the case.
-        many: Whether it takes several values.
+        many: Whether the setting takes several values.
         span: Lowest value, highest value and number of values of the default sweep.
     """
 
@@ -78,14 +78,14 @@ def law_options(law: str, text: str | None) -> dict[str, str]:
 
     Args:
         law: Name of the law.
-        text: Names and choices in turn, as in decks; None for no options.
+        text: Pairs NAME CHOICE, as in decks; None for no options.
 
     Raises:
         ValueError: The law does not have the option or the choice.
     """
     words = (text or "").split()
     if len(words) % 2:
-        raise ValueError(f"options is {text!r}; it must be names and choices in turn")
+        raise ValueError(f"options is {text!r}; it must be made of pairs NAME CHOICE")
     chosen = dict(zip(words[::2], words[1::2], strict=True))
     choices = {option["name"]: option["choices"] for option in laws.LAWS[law].options()}
     for name, choice in chosen.items():
@@ -116,14 +116,14 @@ def having_options(names: Iterable[str], text: str | None) -> list[str]:
 
 
 def check_overlap(case: Any, overlap: float, radius: float, limit: float, radii: str) -> None:
-    """Refuse a case whose bodies would overlap too far for any law.
+    """Reject a case whose overlap would be too large for any law.
 
     Args:
         case: Case with `law` and `speed`.
         overlap: Expected overlap [m].
         radius: Reference radius [m].
-        limit: Largest ratio of the two.
-        radii: Name of the radius in words, plural.
+        limit: Largest allowed ratio of the overlap to the radius.
+        radii: Name of the reference radius in words, plural.
 
     Raises:
         ValueError: The overlap is too large.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Results table and record of a sweep: files in addition to the folders of its runs."""
+"""Results table and record of a sweep, the files beside the folders of its runs."""
 
 from __future__ import annotations
 
@@ -40,9 +40,9 @@ def add_row(path: Path, row: Mapping[str, object]) -> None:
 
 
 def read_table(path: Path) -> tuple[pd.DataFrame, list[str]]:
-    """Return the complete rows of a table, and sentences on rows that are left out.
+    """Return the complete rows of a table, and sentences on omitted rows.
 
-    Columns that the record declares as text are read as text, because a steel may be named 304.
+    Columns that the record declares as text are read as text, because a material may be named 304.
 
     Raises:
         OSError, ValueError: The table is missing or invalid.
@@ -51,9 +51,9 @@ def read_table(path: Path) -> tuple[pd.DataFrame, list[str]]:
     head, *lines = complete.splitlines() or [""]
     words = read_study(path.parent)[0].get("words", WORDS)
     damaged = _damaged_rows(_cells(head), [_cells(line) for line in lines], words)
-    remarks = [f"Line {k + 2} of {path.name} is damaged and left out." for k in damaged]
+    remarks = [f"Line {k + 2} of {path.name} is damaged and omitted." for k in damaged]
     if rest:
-        remarks.append(f"The last line of {path.name} is cut short and left out.")
+        remarks.append(f"The last line of {path.name} is truncated and omitted.")
     kept = "\n".join([head, *(line for k, line in enumerate(lines) if k not in damaged)])
     types = dict.fromkeys(words, str)
     table = pd.read_csv(StringIO(kept), dtype=types, keep_default_na=False, na_values=[""])
@@ -99,7 +99,7 @@ def read_study(folder: Path) -> tuple[dict[str, Any], list[str]]:
     if not isinstance(record, dict):
         return {}, [f"{STUDY} is damaged: it is not the record of a sweep."]
     damaged = [name for name in _TEXTS.keys() & record.keys() if not _is_text(name, record[name])]
-    remarks = [f"{STUDY} is damaged: entry {name} is left out." for name in sorted(damaged)]
+    remarks = [f"{STUDY} is damaged: the entry {name} is omitted." for name in sorted(damaged)]
     return {name: value for name, value in record.items() if name not in damaged}, remarks
 
 

@@ -75,7 +75,8 @@ class Runs:
     def write(self, folder: str | Path) -> list[Path]:
         """Write every table as CSV, and every figure as PNG and SVG, into a folder.
 
-        Outcomes by theory also get the record `study.json`. A sweep has written it before its runs.
+        For outcomes by theory, the record `study.json` is written too. A sweep writes this record
+        before its runs.
 
         Returns:
             The files, the results table first.
@@ -136,8 +137,8 @@ def sweep(
         ValueError: `cases` is empty, `jobs` is out of range, two materials have one name, or
             `folder` contains results or is in use.
         EngineError: LIGGGHTS is missing.
-        EngineError, ValueError: Error of the first failed case; the rows of all other cases are
-            written before.
+        EngineError, ValueError: A case failed. The error is that of the first failed case; the rows
+            of all other cases have been written.
     """
     cases, folder, settings = list(cases), Path(folder), dict(settings or {})
     if not cases:
@@ -145,7 +146,7 @@ def sweep(
     if jobs is not None and not (isinstance(jobs, int) and jobs >= 1):
         raise ValueError(f"jobs is {jobs!r}; it must be 1 or more")
     materials_of(cases)
-    # Raises EngineError if the host is missing, before anything is removed.
+    # Check that the host exists before anything is removed; raises EngineError.
     made_with = versions(cases[0].host)
     with claim(folder, force):
         write_study(folder, cases, settings, made_with)

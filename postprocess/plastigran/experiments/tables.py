@@ -64,7 +64,7 @@ def _cell(value: object) -> str:
 
 
 def format_range(table: pd.DataFrame) -> str:
-    """Return the speed from which each law was used beyond its range, as lines of text."""
+    """Return the speed above which each law was used outside its range, as lines of text."""
     several = "material" in table and table["material"].nunique() > 1
     outside = table.loc[~table["in_range"]]
     lines = []

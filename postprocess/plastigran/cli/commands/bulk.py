@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`plastigran bulk`: run, check and draw a deck of many grains."""
+"""`plastigran bulk`: run a deck of many grains, check it and draw its figures."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         type=Path,
         help="folder of results, default results/DECK, or DIR_continued with --restart DIR",
     )
-    command.add_argument("--force", action="store_true", help="overwrite results")
+    command.add_argument("--force", action="store_true", help="overwrite earlier results")
     add_json(command)
     add_dry_run(command)
 
@@ -153,5 +153,5 @@ def report(run: BulkRun) -> None:
 
 
 def warnings_of(run: BulkRun) -> list[str]:
-    """Return the warnings of contact models and launcher."""
+    """Return the warnings of the contact models and of the launcher."""
     return find_warnings((run.folder / LOG).read_text(errors="replace"))

@@ -70,21 +70,21 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         "--yield",
         type=positive,
         dest="yield_strength",
-        help="yield strength, Pa; given alone, or for a law that yields with --pull-off or "
+        help="yield strength, Pa; alone, or, for a law that yields, with --pull-off or "
         "--sticking-speed",
     )
     measured = command.add_mutually_exclusive_group()
     measured.add_argument(
-        "--hardness", help="hardness, HV or with its scale, for example 45HRC or 200HB"
+        "--hardness", help="hardness: a number in HV, or with its scale, for example 45HRC or 200HB"
     )
     measured.add_argument(
-        "--leeb", help="rebound hardness, HLD or with its device, for example 750HLG"
+        "--leeb", help="rebound hardness: a number in HLD, or with its device, for example 750HLG"
     )
     measured.add_argument(
-        "--drop", type=Path, metavar="FILE", help="table of drops, see docs/calibrate.md"
+        "--drop", type=Path, metavar="FILE", help="table of drop tests, see docs/calibrate.md"
     )
     measured.add_argument(
-        "--pull-off", type=positive, dest="pull_off_force", help="force that separates bodies, N"
+        "--pull-off", type=positive, dest="pull_off_force", help="pull-off force of two bodies, N"
     )
     measured.add_argument(
         "--sticking-speed", type=positive, help="largest impact speed at which bodies stick, m/s"
@@ -97,7 +97,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--radius-other",
         type=positive,
-        help="radius of the other sphere of --pull-off or --sticking-speed, m, default a plate",
+        help="radius of the second sphere of --pull-off or --sticking-speed, m; default: a plate",
     )
     add_elastic(command, FEM_RADIUS, density=None)
     command.set_defaults(radius=None)  # --pull-off and --sticking-speed need a radius
@@ -112,9 +112,9 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--plate",
         help=(
-            "material of the plate of --drop, or of the other body of --pull-off or "
-            "--sticking-speed: rigid (default for a ball of the metal), metal (default with "
-            "--radius-other), or a material"
+            "material of the plate of --drop, or of the second body of --pull-off or "
+            "--sticking-speed: `rigid`, `metal` for the metal itself, or a material. Default: "
+            "metal with --radius-other or another --ball, else rigid"
         ),
     )
     command.add_argument(
@@ -172,7 +172,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         "--figure",
         type=Path,
         metavar="FILE.png",
-        help="figure of the law with drops or finite elements",
+        help="file for a figure of the law and the drops or finite elements",
     )
 
 
@@ -232,7 +232,9 @@ def _adhesion(arguments: argparse.Namespace) -> CalibratedAdhesion:
     """
     law = arguments.law or ADHESIVE_LAW
     if arguments.radius is None:
-        raise ValueError("--pull-off and --sticking-speed need --radius, the sphere's radius in m")
+        raise ValueError(
+            "--pull-off and --sticking-speed need --radius, the radius of the sphere, m"
+        )
     if law_class(law).yields and can_adhere(law) and arguments.yield_strength is None:
         raise ValueError(f"law {law} yields, so it needs --yield, the yield strength in Pa")
     material = Material(

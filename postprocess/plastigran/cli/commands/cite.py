@@ -16,7 +16,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         "law",
         nargs="*",
         metavar="LAW",
-        help="names of laws, `rate_factor`, or all; by default only the software",
+        help="names of laws, `rate_factor`, or `all`; default: only the software",
     )
 
 

@@ -16,7 +16,7 @@ from plastigran.experiments.runs import sweep
 from plastigran.materials import read_material
 from plastigran.usable_laws import laws_for
 
-HELP = "run a tour: collisions, a cooling gas and a hopper, with figures and a report"
+HELP = "run examples: collisions, a cooling gas and a hopper, with figures and a report"
 EXAMPLE = "plastigran demo --output results/demo"
 
 #: Settings of the hopper. Its soft grains overlap by up to a quarter of the effective radius when
@@ -47,7 +47,7 @@ def run(arguments: argparse.Namespace) -> None:
     jobs, names = arguments.jobs, laws_for("sphere", [read_material("aluminium_zv02")])
     speeds = folder / "speeds"
     show_study(CentralImpact.study(speeds, jobs, force=True, law=names, speed=PAPER_SPEEDS), speeds)
-    print("For comparison, laws are also shown beyond their validity range.")
+    print("For comparison, the table also contains impacts outside the validity range of a law.")
     print("\nThe same impact, 0.1 m/s, as a pair, on a primitive wall and on a mesh:")
     impacts = CentralImpact.plan(
         geometry=GEOMETRIES, law=names, speed=0.1, material="aluminium_zv02", radius=0.1
@@ -86,4 +86,4 @@ def collide_in_lammps(folder: Path) -> None:
         return
     pair = CentralImpact("universal", 0.1, "aluminium_zv02", 0.1, "two_spheres", host="lammps")
     restitution = pair.run(folder).coefficient_of_restitution
-    print(f"\nThe pair with universal in LAMMPS: {restitution:.6f}")
+    print(f"\nRestitution of the same two spheres in LAMMPS, law universal: {restitution:.6f}")

@@ -164,13 +164,13 @@ def _engine() -> str:
 
 
 def _plugin() -> str:
-    """Return the path of the plugin that the dynamic loader uses; raise Lacking without one."""
+    """Return the path of the plugin that the loader uses; raise Lacking if none is found."""
     done = subprocess.run(["ldd", engine_path()], capture_output=True, text=True, check=False)
     needed = dict(line.strip().partition(" => ")[::2] for line in done.stdout.splitlines())
     if missing := [name for name, place in needed.items() if place.startswith("not found")]:
         raise Lacking(
             f"{', '.join(missing)} cannot be loaded",
-            "install liggghts and openmpi-bin, or build again with ./run setup",
+            "install liggghts and openmpi-bin, or run `./run setup` again",
         )
     plugin = next((place for name, place in needed.items() if name == "libplastigran.so"), None)
     if plugin is None:  # the laws were compiled into LIGGGHTS
@@ -184,7 +184,7 @@ def _impact() -> str:
 
 def _mpi() -> str:
     if not shutil.which("mpirun"):
-        raise Lacking("mpirun is not on PATH", "install openmpi-bin")
+        raise Lacking("mpirun is not on PATH", "install the package openmpi-bin")
     done = subprocess.run(["mpirun", "--version"], capture_output=True, text=True, check=False)
     return f"{done.stdout.strip().splitlines()[0]}; {_collide(2)}"
 
@@ -201,12 +201,14 @@ def _collide(ranks: int) -> str:
         try:
             restitution = case.run(folder, ranks=ranks).coefficient_of_restitution
         except (EngineError, ValueError) as error:
-            raise Lacking(str(error), "if a library has another version, build again") from None
+            raise Lacking(
+                str(error), "if a library has another version than before, run `./run setup` again"
+            ) from None
         head = (Path(folder) / LOG).read_text(errors="replace").partition("\n")[0]
     if abs(restitution / expected - 1) > TOLERANCE:
         raise Lacking(
             f"restitution {restitution:.5f}, by theory {expected:.5f}",
-            "the plugin differs from this package; build again",
+            "the plugin does not belong to this package; run `./run setup` again",
         )
     engine = head.removeprefix("LIGGGHTS (Version ").split(",")[0]
     return (

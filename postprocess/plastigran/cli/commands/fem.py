@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """`plastigran fem`: finite elements of a sphere or a cylinder.
 
-A sphere is compressed on a plane or a half space, hits it, or hits it and vibrates. A rigid
-cylinder hits a body.
+A sphere is compressed on a plane or a half space, or hits a plane or a half space. An elastic
+sphere also vibrates after its impact on a plane. A rigid cylinder hits a body.
 """
 
 from __future__ import annotations
@@ -57,8 +57,8 @@ UNITS = {
     "work_unloading": "J",
     "speed": "m/s",
     "timestep": "s",
-    "kinetic_restitution": "from the kinetic energy, which includes half the vibration",
-    "nodal_restitution": "from the mean velocity of corner nodes, with the vibration",
+    "kinetic_restitution": "from the kinetic energy, which includes half of the vibration energy",
+    "nodal_restitution": "from the mean velocity of the corner nodes, which includes the vibration",
     "vibration_energy": "fraction of the impact energy",
     "contact_time": "s",
     "coefficient_of_restitution": "from the momentum of the center of mass",

@@ -37,7 +37,7 @@ def run(arguments: argparse.Namespace) -> None:
         ValueError: The number of ranks is out of range.
     """
     if not arguments.deck.is_file():
-        raise EngineError(f"no input script {arguments.deck}")
+        raise EngineError(f"the input script {arguments.deck} does not exist")
     if arguments.ranks < 1:
         raise ValueError(f"--ranks is {arguments.ranks}; it must be 1 or more")
     words = ["-in", str(arguments.deck), "-log", arguments.log]

@@ -12,7 +12,7 @@ from plastigran.cli.arguments import add_json, print_json
 from plastigran.engine.deck import property_name
 from plastigran.usable_laws import choose_laws
 
-HELP = "list the laws with their bodies, range, source, constants and options"
+HELP = "list the laws with shape of the bodies, range, source, constants and options"
 EXAMPLE = "plastigran laws universal thornton"
 
 

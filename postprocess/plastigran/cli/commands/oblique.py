@@ -41,12 +41,15 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         help="tangential laws, default all",
     )
     add_material(command, "steel")
-    command.add_argument("--wall", help="plane: a material, default a rigid plane")
+    command.add_argument("--wall", help="material of the plane, default a rigid plane")
     command.add_argument("--radius", type=positive, required=True, help="radius of the sphere, m")
     command.add_argument("--speed", type=positive, required=True, help="impact speed, m/s")
     command.add_argument("--friction", type=positive, required=True, help="coefficient of friction")
     command.add_argument(
-        "--rings", type=positive_integer, default=4, help="rings of partial_slip, default 4"
+        "--rings",
+        type=positive_integer,
+        default=4,
+        help="number of rings of the law partial_slip, default 4",
     )
     command.add_argument(
         "--angles",
@@ -60,7 +63,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         "--points", type=positive_integer, default=20, help="number of angles, default 20"
     )
     command.add_argument(
-        "--figure", type=Path, metavar="FILE.png", help="figure over the normalized angle"
+        "--figure", type=Path, metavar="FILE.png", help="file for a figure of the outcome by angle"
     )
     add_json(command)
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
-HELP = "write one HTML page on results: charts, checks, grains in 3D; it needs no network"
+HELP = "write one HTML page of results: charts, checks, grains in 3D; the page needs no network"
 EXAMPLE = "plastigran report results/demo --title 'Steel shot'"
 
 
@@ -22,9 +22,11 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         "--output",
         type=Path,
         metavar="FILE.html",
-        help="name of the page, default DIR/report.html, for several folders results/report.html",
+        help="file for the page, default DIR/report.html, for several folders results/report.html",
     )
-    command.add_argument("--title", default="", help="headline, default the names of the folders")
+    command.add_argument(
+        "--title", default="", help="title of the page, default the names of the folders"
+    )
     command.add_argument(
         "--force", action="store_true", help="overwrite a file that is not a report"
     )

@@ -40,7 +40,9 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         "--view", choices=list(VIEWS), default="corner", help="direction of view, default corner"
     )
     command.add_argument(
-        "--output", type=Path, help="name of the picture, default FOLDER/figures/NAME_VIEW_STEP.png"
+        "--output",
+        type=Path,
+        help="file for the picture, default FOLDER/figures/NAME_VIEW_STEP.png",
     )
 
 

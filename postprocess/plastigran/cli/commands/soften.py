@@ -25,7 +25,7 @@ from plastigran.cli.arguments import (
 )
 from plastigran.usable_laws import choose_laws
 
-HELP = "compute a softer material of the same restitution, for longer time steps"
+HELP = "compute a softer material with the same restitution, which allows longer time steps"
 EXAMPLE = "plastigran soften --material steel --speedup 10 --radius 0.005 --speed 1"
 
 
@@ -38,7 +38,9 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         help="ratio of the softened to the original Young's modulus, at most 1",
     )
     softness.add_argument(
-        "--speedup", type=positive, help="speedup of the run, instead of the factor"
+        "--speedup",
+        type=positive,
+        help="ratio of the softened to the original time step, instead of the factor",
     )
     command.add_argument("--radius", type=positive, required=True, help="radius of the grains, m")
     command.add_argument(
@@ -104,7 +106,9 @@ def run(arguments: argparse.Namespace) -> None:
             f"  {name:8s} {before:.2g} -> {after:.2g}" for name, (before, after) in overlaps.items()
         )
     )
-    verdict = "sound" if factor >= lowest else "TOO SOFT: the grains do not behave like hard ones"
+    verdict = (
+        "acceptable" if factor >= lowest else "TOO SOFT: the grains do not behave like hard ones"
+    )
     print(
         f"  {verdict}. With the law below that has the largest overlap, {SOUND_OVERLAP:g} of "
         f"the radius is reached at the factor {1.0005 * lowest:.4g}"  # not rounded down
@@ -114,7 +118,7 @@ def run(arguments: argparse.Namespace) -> None:
     )
     for row in numbers["laws"]:
         change = f"{row['restitution_change']:.3f}" if row["restitution_change"] else "exact"
-        remark = "" if row["in_range_softened"] else "  beyond the law's range"
+        remark = "" if row["in_range_softened"] else "  outside the law's range"
         if remark and not row["in_range"]:
             remark += ", as before"
         print(

@@ -57,4 +57,4 @@ def run(arguments: argparse.Namespace) -> None:
     for shape, other in IMPACTS.items():
         if "all" in arguments.law and shape != experiment.shape:
             geometries = ", ".join(other.geometries)
-            print(f"left out: laws for {shape}s. Use --geometry {geometries}", file=sys.stderr)
+            print(f"omitted: laws for {shape}s. Use --geometry {geometries}", file=sys.stderr)

@@ -63,7 +63,7 @@ class CentralImpact(Experiment):
     """One central impact of spheres.
 
     Raises:
-        ValueError: A field is out of range, or the bodies would overlap too far for any law.
+        ValueError: A field is out of range, or the overlap would be too large for any law.
     """
 
     law: str = law_field()
@@ -74,8 +74,8 @@ class CentralImpact(Experiment):
     wall: Material | None = material_field("material of the plane, or rigid", None, "_other")
     options: str | None = options_field()
     surface_energy: float | None = surface_energy_field(
-        "work of adhesion of the two bodies; laws that begin with Hertz' contact then have the "
-        "option 'adhesion jkr'. Default, for laws that need it: that of the material"
+        "work of adhesion of the two bodies; it switches on 'adhesion jkr' in laws whose elastic "
+        "contact is Hertz'. Default, for laws that need it: the value of the material"
     )
     host: str = attrs.field(
         default="liggghts",
@@ -145,7 +145,7 @@ class CentralImpact(Experiment):
 
     @property
     def bodies(self) -> int:
-        """Number of spheres; effective radius and mass are those of one sphere divided by it."""
+        """Number of spheres. Effective radius and mass are those of a sphere, divided by it."""
         return self.geometries[self.geometry]
 
     @property
@@ -273,7 +273,7 @@ class CentralImpact(Experiment):
         )
 
     def theoretical_loop(self, points: int = 200) -> pd.DataFrame:
-        """Return the loop of the law alone: (2 points,) rows overlap [m] and force [N]."""
+        """Return loading and unloading by the law: (2 points,) rows of overlap [m], force [N]."""
         impact = self.predict()
         loading = np.linspace(0, impact.overlap_max, points)
         law = self.contact_law()
@@ -309,7 +309,7 @@ class CentralImpact(Experiment):
 
     @classmethod
     def plan(cls, **values: Any) -> list[CentralImpact]:
-        """Return every combination, with options and surface energy only for laws that have them.
+        """Return every combination of values; only laws that have them get options, surface energy.
 
         Raises:
             ValueError: A case cannot be run, or no law has an option or a surface energy; the

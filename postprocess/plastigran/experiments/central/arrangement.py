@@ -11,7 +11,7 @@ WALLS = (RIGID_WALL, NO_WALL)
 
 
 def on_wall(wall: str) -> str:
-    """Return "on" and the wall, such as "on a rigid wall", for a sentence; "" without a wall.
+    """Return a phrase for the wall, such as "on a rigid wall"; "" without a wall.
 
     Args:
         wall: Name of the material of the wall, or one of the words in `WALLS`.
@@ -23,7 +23,7 @@ def on_wall(wall: str) -> str:
 def run_label(
     geometry: str, material: str, law: str, wall: str = RIGID_WALL, options: str = USUAL
 ) -> str:
-    """Return the part of an impact's folder name after the number, from the row in the table."""
+    """Return the part of an impact's folder name that follows the number."""
     words = [geometry, material, law]
     words += [] if wall in WALLS else ["on", wall]
     words += [] if options == USUAL else options.split()

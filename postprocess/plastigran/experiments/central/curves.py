@@ -17,8 +17,8 @@ from plastigran.plot.chart import DASHES, Curve, Panel
 from plastigran.plot.quantities import PREDICTED, Scale, scale
 from plastigran.plot.style import title
 
-#: Number of points of a theoretical line, and factor by which its speeds exceed the measured
-#: speeds.
+#: Number of points of a theoretical line, and factor by which its range of speeds exceeds the
+#: measured range at both ends.
 THEORY_POINTS = 120
 THEORY_MARGIN = 1.3
 #: Columns that distinguish curves of one law.
@@ -88,7 +88,7 @@ def curve_groups(table: pd.DataFrame, abscissa: str) -> Groups:
 
 
 def line_styles(groups: Groups) -> dict[str, int]:
-    """Return the number in `DASHES` for the words that distinguish curves of one law."""
+    """Return the index into `DASHES` by the words that distinguish curves of one law."""
     words = dict.fromkeys(others for _, others in groups)
     return {others: k % len(DASHES) for k, others in enumerate(words)}
 
@@ -108,7 +108,7 @@ def _in_words(name: str, value: object) -> str:
         return on_wall(str(value))
     if isinstance(value, str):
         return title(value) if name in ("law", "material") else value.replace("_", " ")
-    if isnan(value):  # a law without this quantity
+    if isnan(value):  # the law does not have this quantity
         return ""
     axis = scale(name, [value])
     space = "" if axis.unit == "°" else " "
@@ -141,7 +141,7 @@ def _measured(groups: Groups, theory: Groups, quantity: str, abscissa: str) -> P
             "law": law,
             "dash": dashes[others],
         }
-        # Draw a line only for numbers with at least two points; otherwise draw dashes.
+        # Draw a line only through two or more points with a numeric abscissa; otherwise dashes.
         look = "line" if numeric and len(line) > 1 else "dashes"
         y_line = line[predicted if predicted in line else quantity]
         x_line, x = _abscissae(line[abscissa]), _abscissae(rows[abscissa])
@@ -185,7 +185,7 @@ def _paper(quantity: str) -> list[Curve]:
 
 
 def _theory(rows: pd.DataFrame, abscissa: str, materials: Mapping[str, Material]) -> pd.DataFrame:
-    """Return theory at many speeds, or the rows themselves if theory cannot be computed again."""
+    """Return theory at many speeds, or only at the rows if it cannot be computed again."""
     if abscissa != "speed":
         return rows
     case = central_case(rows.iloc[-1], materials)
@@ -239,11 +239,11 @@ def loop_panels(
     apart: Sequence[str],
     common_axes: bool,
 ) -> dict[str, Panel]:
-    """Return panels of force over overlap.
+    """Return panels of force versus overlap.
 
     Args:
-        loops: Case of each impact, with columns of the results table, and its columns overlap [m]
-            and force [N].
+        loops: For each impact, its case by columns of the results table, and its table with columns
+            overlap [m] and force [N].
         panel_by: Column of the cases whose values have separate panels, "law" or "speed".
         curve_by: Column that names the curves of a panel, "speed" or "law".
         apart: Further columns whose values have separate panels; see `varied`.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Static figures of a sweep of central impacts: restitution over speed, force over overlap."""
+"""Static figures of a sweep of central impacts: restitution versus speed, force versus overlap."""
 
 from __future__ import annotations
 
@@ -28,10 +28,10 @@ RESTITUTION = "coefficient_of_restitution"
 
 
 def restitution_figure(runs: Runs) -> Figure:
-    """Draw restitution over impact speed: points of LIGGGHTS, and lines of theory.
+    """Draw restitution versus impact speed: points of LIGGGHTS, and lines of theory.
 
-    In a study by theory alone, the points are theory too. If all impacts are of the sphere of Zhang
-    and Vu-Quoc (2002), the figure shows their finite elements.
+    In a study by theory alone, the points are theory too. If all impacts are those of the sphere of
+    Zhang and Vu-Quoc (2002), the figure also shows the results of their finite elements.
     """
     materials = materials_of(runs.cases)
     panel = measured_panels(runs.table, materials, [RESTITUTION], "speed")[RESTITUTION]
@@ -85,9 +85,9 @@ def _plain_ticks(axes: Axes) -> None:
 
 
 def loops_figure(runs: Runs) -> Figure:
-    """Draw force over overlap: a panel for each law and setting, a loop for each speed.
+    """Draw force versus overlap: a panel for each law and setting, a loop for each speed.
 
-    A panel has the `LOOPS` fastest impacts. Slower loops would be too small to see.
+    A panel shows the `LOOPS` fastest impacts, because slower loops would be too small to see.
     """
     loops = []
     for impact, collision in runs.outcomes.items():
@@ -131,7 +131,7 @@ def _grid(count: int, alike: bool) -> tuple[Figure, np.ndarray]:
 
 
 def _label_edges(axes: np.ndarray, count: int, alike: bool) -> None:
-    """Label only the outer axes, and show a legend where it differs from the panel before."""
+    """Label only the outer axes, and show a legend if it differs from that of the last panel."""
     columns = axes.shape[1]
     previous_labels = None
     for k, place in enumerate(axes.flat):

@@ -24,7 +24,7 @@ VISIBLE = 5e-5
 
 
 def remarks(runs: Runs) -> list[str]:
-    """Return sentences on the bodies, missing yield, adhesion, other bodies, and the time step."""
+    """Return sentences on the bodies, yield, adhesion, unsuitable laws, and the time step."""
     sentences = [_arrangement(runs.cases)]
     if runs.table["surface_energy"].isna().all() and (runs.table["speed_ratio"] < 1).all():
         sentences.append(
@@ -35,14 +35,14 @@ def remarks(runs: Runs) -> list[str]:
     largest = runs.table["coefficient_of_restitution"].max()
     if largest > 1 + VISIBLE:
         sentences.append(
-            f"a coefficient of restitution above 1, here up to {largest:.5g}, is an error of "
+            f"a coefficient of restitution above 1, here up to {largest:.5g}, is an error due to "
             "the time step (docs/timestep.md)"
         )
     return [sentence for sentence in sentences if sentence]
 
 
 def _arrangement(impacts: Iterable[CentralImpact]) -> str:
-    """Return the bodies in words, as far as they are the same for all impacts."""
+    """Return the properties of the bodies that are the same for all impacts, in words."""
     radii = {impact.radius for impact in impacts}
     walls = {impact.wall_name for impact in impacts}
     if len(radii) > 1 or len(walls) > 1:

@@ -52,7 +52,7 @@ TITLES = {
 
 DEFAULT_LAW, DEFAULT_STEPS = "vu_quoc_zhang", 1000
 
-#: LIGGGHTS' model, and the tangential laws.
+#: Tangential models: the one of LIGGGHTS, and the tangential laws.
 TANGENTIAL_MODELS = ("history", *laws.TANGENTIAL_LAWS)
 #: Options of LIGGGHTS' own hertz for the benchmarks: normal damping only, and no attractive force.
 HERTZ_OPTIONS = "limitForce on tangential_damping off"
@@ -74,7 +74,7 @@ class BenchmarkImpact(Experiment):
     Attributes:
         deck_name: Name of the deck, without `.in`; it begins with the number of the benchmark.
         material: Material of the sphere: name of a file in the folder `materials` next to the deck.
-        knob: Variable of the deck that the benchmark varies.
+        knob: Name of the deck variable that the benchmark varies.
         value: Value of that variable, in its unit in the deck.
         modulus_ratio: Young's modulus of the second sphere divided by that of the first. The
             default is the value of the deck.
@@ -88,7 +88,7 @@ class BenchmarkImpact(Experiment):
     knob: str
     value: float
     modulus_ratio: float | None = number(
-        "modulus of the second sphere / that of the first", "-", 0, default=None
+        "modulus of the second sphere / modulus of the first", "-", 0, default=None
     )
     law: str = law_field(DEFAULT_LAW)
     steps_per_contact: int = whole("time steps in an undamped contact", 1, default=DEFAULT_STEPS)
@@ -134,7 +134,7 @@ class BenchmarkImpact(Experiment):
 
     @cached_property
     def settings(self) -> dict[str, str]:
-        """Variables of the deck as text, with the changes of this case."""
+        """Variables of the deck as text, with the values of this case."""
         defaults = index_variables(folder() / f"{self.deck_name}.in")
         changes = {name: str(value) for name, value in self.variables().items()}
         if unknown := changes.keys() - defaults.keys():
@@ -212,7 +212,7 @@ class BenchmarkImpact(Experiment):
     def cases(
         cls, benchmark: Collection[int] = tuple(TITLES), **settings: Any
     ) -> list[BenchmarkImpact]:
-        """Return every impact of some benchmarks in `points.csv`, in its order."""
+        """Return every impact of some benchmarks, in the order of `points.csv`."""
         table = pd.read_csv(folder() / "points.csv", comment="#", dtype={"values": str})
         cases = [
             cls(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Outcomes of the benchmark impacts: by theory, from a trajectory, and their differences."""
+"""Outcomes of the benchmark impacts: by theory, from a trajectory, and their comparison."""
 
 from __future__ import annotations
 
@@ -30,7 +30,8 @@ class BenchmarkOutcome:
 def predict(impact: ObliqueImpact) -> BenchmarkOutcome:
     """Predict an impact by theory: spring and slider (`ObliqueImpact.spring_slider`).
 
-    The dashpot never attracts. Peaks and duration are Hertz' for impacts without damping, else NaN.
+    The dashpot never attracts. For impacts without damping, peaks and duration are those of Hertz;
+    otherwise they are NaN.
     """
     force = overlap = duration = nan
     if impact.coefficient_of_restitution == 1:
@@ -91,9 +92,9 @@ def compare(
 
 
 def motion(trajectory: pd.DataFrame, frame: int) -> Motion:
-    """Return the motion of the bodies in a frame of a trajectory: 0 the first, -1 the last.
+    """Return the motion of the bodies in a frame of a trajectory: frame 0 (first) or -1 (last).
 
-    The normal speed is positive, closing or separating.
+    The normal speed is positive, whether the bodies close or separate.
     """
     step = trajectory["step"].unique()[frame]
     bodies = trajectory[trajectory["step"] == step].sort_values("id")

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Figures of the benchmark impacts, one per benchmark, in the quantities of Chung & Ooi (2011).
 
-Points are LIGGGHTS, lines are theory.
+Points are results of LIGGGHTS, lines are theory.
 """
 
 from __future__ import annotations
@@ -109,7 +109,7 @@ def figure(number: int, outcomes: dict[BenchmarkImpact, BenchmarkOutcome]) -> Fi
         if case.benchmark == number:
             series.setdefault(_label(case), []).append((case, outcome))
     if not series:
-        raise ValueError(f"no impacts of benchmark {number}")
+        raise ValueError(f"the outcomes contain no impact of benchmark {number}")
     columns = len(PANELS.get(number, [0, 0] if number < 3 else [0]))
     with styled():
         page, panels = subplots(1, columns, figsize=(4.0 * columns + 0.4, 3.8), squeeze=False)
@@ -133,7 +133,7 @@ def figure(number: int, outcomes: dict[BenchmarkImpact, BenchmarkOutcome]) -> Fi
 
 
 def _loops(panels: np.ndarray, entries: list[Entry], style: dict) -> None:
-    """Draw force over overlap and over time, with Hertz' curves."""
+    """Draw force versus overlap and versus time, with Hertz' curves."""
     for case, outcome in entries:
         impact, collision = case.impact(), outcome.collision
         radius, modulus = impact.radius_eff, impact.pair.youngs_modulus_eff
@@ -153,7 +153,7 @@ def _loops(panels: np.ndarray, entries: list[Entry], style: dict) -> None:
 
 
 def _restitutions(axes: Axes, entries: list[Entry], style: dict, last: bool) -> None:
-    """Draw measured over nominal restitution; with the last series, also the lines of theory."""
+    """Draw measured versus nominal restitution. With the last series, draw the lines of theory."""
     impacts = [case.impact() for case, _ in entries]
     nominal = [impact.coefficient_of_restitution for impact in impacts]
     measured = [
@@ -191,6 +191,6 @@ def _oblique(
     axes.set(xlabel=across.label, ylabel=up.label)
     if across is SLIDING_SHARE:
         axes.set_xlim(0, 10)
-    if up is ALONG:  # values are only round-off, so scale the axis by the impact speed
+    if up is ALONG:  # scale the axis by the impact speed, because the values are only round-off
         normal = measured[0][0].before.normal
         axes.set_ylim(-normal, normal)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Central impacts of a cylinder on a rigid plane, and the study of Katta & Polycarpou (2010).
 
-Their slider of 1.59 mg is carried by a rigid cylinder and hits glass (J. Tribol. 132).
+In this study, a rigid cylinder carries a slider of 1.59 mg and hits glass (J. Tribol. 132:041402).
 """
 
 from __future__ import annotations
@@ -29,11 +29,11 @@ if TYPE_CHECKING:
 class CylinderImpact(CentralImpact):
     """One central impact of a cylinder, which is a disc in a two-dimensional deck.
 
-    The material is that of the body that yields; the other body is rigid.
+    `material` is the material of the body that yields; the second body is rigid.
 
     Raises:
         ValueError: A field is out of range, the body is too thin to yield under a line contact, or
-            the bodies would overlap too far for any law.
+            the overlap would be too large for any law.
     """
 
     geometry: str = word("deck", ("cylinder_wall",), default="cylinder_wall")
@@ -42,7 +42,7 @@ class CylinderImpact(CentralImpact):
     body_thickness: float = number("thickness of the body that yields", "m", 0, default=1e-4)
 
     command = "cylinder"
-    help = "run the cylinder study: maps and comparison"
+    help = "draw maps of impacts by the laws for cylinders, and compare one impact with a paper"
     example = "plastigran cylinder --points 10"
     shape = "cylinder"
     has_theory = False  # the study always compares LIGGGHTS with theory
@@ -102,7 +102,7 @@ class CylinderImpact(CentralImpact):
 
     @classmethod
     def tables(cls, runs: Runs) -> dict[str, pd.DataFrame]:
-        """Return the maps of the study, and the finite elements' impact by laws and LIGGGHTS."""
+        """Return the maps of the study, and the impact of the finite elements by all methods."""
         table = study.comparison()
         for case, outcome in runs.outcomes.items():
             for column in ("overlap_res", "contact_time", "coefficient_of_restitution"):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figures of the cylinder study: maps over radius and speed, and the finite elements' impact."""
+"""Figures of the cylinder study: maps by radius and speed, and one finite-element impact."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ class Panel:
 
 
 def maps_figure(table: pd.DataFrame) -> Figure:
-    """Draw contours over speed and radius of the `study` for one length ratio."""
+    """Draw contours of the `study` by speed and radius, for one length ratio."""
     curved, straight = "katta_polycarpou", "lim_stronge"
     pressures, shares = tuple(np.arange(13) / 5), tuple(0.2 + np.arange(17) / 20)
     times = (0, 0.4, 0.5, 0.6, 0.8, 1, 1.25, 1.5, 1.75, 2, 2.5, 3, 4, 5, 6, 8)
@@ -69,7 +69,7 @@ def _contours(axes: Axes, table: pd.DataFrame, panel: Panel) -> None:
 
     speed, radius = np.unique(table["speed"]), np.unique(table["radius"]) * 1e6
     deep = field("overlap_max") / (radius[:, None] * 1e-6)
-    # The value of the top level, 1 or 2.4, is reached only to round-off: keep it inside.
+    # Limit the values to the top level, 1 or 2.4, which round-off may exceed.
     value = np.minimum(field(panel.column) * panel.factor, panel.levels[-1] * (1 - 1e-9))
     shown = value[deep <= 1]
     edges = np.asarray(panel.levels)
@@ -83,7 +83,7 @@ def _contours(axes: Axes, table: pd.DataFrame, panel: Panel) -> None:
 
 
 def comparison_figure() -> Figure:
-    """Draw residual overlap and restitution over speed by both laws, with the finite elements."""
+    """Draw residual overlap and restitution versus speed for both laws and the finite elements."""
     at = FINITE_ELEMENTS
     table = study([at["radius"]], np.linspace(0.01, 1.2, 120) * at["speed"], at["length_ratio"])
     with styled():

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The study of Katta & Polycarpou (2010, J. Tribol. 132) by the laws alone, over radius and speed.
+"""Maps of Katta & Polycarpou (2010, J. Tribol. 132:041402) by radius and speed, by the laws alone.
 
-The laws are as published, without the energy guard. Restitution is cut off at 1, as in the source.
-The maps include overlaps above one radius.
+The laws are as published, without the energy guard. Restitution is limited to 1, as in the source.
+The maps include overlaps larger than the radius.
 """
 
 from __future__ import annotations
@@ -28,15 +28,16 @@ BODY_THICKNESS = 1e-4  # thickness of the glass [m]
 LENGTH_RATIOS = {10.0: 1.0, 100.0: 5.0}
 RADII = (1e-6, 1e-5)  # smallest and largest radius of the maps [m]
 
-#: Finite elements of the source: cylinder of 10 um, length ratio 10, 1 m/s. Residual overlap [m],
-#: and the duration of the whole computation, an upper bound of the contact time [s].
+#: Finite elements of the source: radius 10 um, length ratio 10, 1 m/s. The source gives the
+#: residual overlap [m], and the duration of the whole computation, which is an upper bound of the
+#: contact time [s].
 FINITE_ELEMENTS = {"radius": 1e-5, "length_ratio": 10.0, "speed": 1.0}
 FINITE_ELEMENTS_OVERLAP_RES = 0.12e-6
 FINITE_ELEMENTS_TIME_BOUND = 3e-6
 
 
 def impact(name: str, radius: float, speed: float, length_ratio: float) -> dict[str, object]:
-    """Return one impact of the study; columns of `study`.
+    """Return one impact of the study, with the columns of `study`.
 
     Args:
         name: Name of the law.
@@ -74,7 +75,7 @@ def impact(name: str, radius: float, speed: float, length_ratio: float) -> dict[
 def study(
     radii: ArrayLike, speeds: ArrayLike, length_ratio: float, progress: bool = False
 ) -> pd.DataFrame:
-    """Return both laws as published over radii [m] and speeds [m/s].
+    """Return impacts by both laws, as published, for all radii and speeds.
 
     Args:
         radii: Radii of the cylinder (N,) [m].
@@ -94,7 +95,7 @@ def study(
 
 
 def maps(points: int) -> pd.DataFrame:
-    """Return the study over the source's ranges for every length ratio, `points` values each."""
+    """Return the study for every length ratio, with `points` radii and `points` speeds."""
     radii = np.linspace(*RADII, points)
     return pd.concat(
         [
@@ -106,11 +107,11 @@ def maps(points: int) -> pd.DataFrame:
 
 
 def comparison() -> pd.DataFrame:
-    """Return the results of each law for the impact that the source's finite elements compute.
+    """Return the results of each law for the impact of the source's finite elements.
 
     Returns:
         (3,) rows for the laws and the finite elements: overlap_res [m] and its relative error;
-        contact_time [s], for the finite elements only its bound contact_time_bound;
+        contact_time [s] of the laws, and contact_time_bound [s] of the finite elements;
         coefficient_of_restitution [-] of the laws.
     """
     at = FINITE_ELEMENTS

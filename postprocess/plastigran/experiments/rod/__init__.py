@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The oblique rod of Ghaednia, Cermik & Marghitu (2015), compared with its equations of motion."""
+"""Oblique impact of the rod of Ghaednia, Cermik & Marghitu (2015), compared with theory."""
 
 from __future__ import annotations
 
@@ -37,13 +37,13 @@ _FRICTION = attrs.evolve(
 class RodImpact(Experiment):
     """One impact of a rod that falls vertically.
 
-    `tangential` selects the friction of LIGGGHTS. With `history`, a spring holds the tip until its
-    force reaches mu F. With `no_history`, friction is mu F as soon as the tip slides, as in the
-    paper.
+    `tangential` selects the friction model of LIGGGHTS. With `history`, a spring holds the tip
+    until the force of the spring reaches mu F. With `no_history`, friction is mu F as soon as the
+    tip slides, as in the paper.
 
     Raises:
-        ValueError: A field is out of range, LIGGGHTS does not support the combination, or the tip
-            would overlap too far for any law.
+        ValueError: A field is out of range, LIGGGHTS does not support the combination, or the
+            overlap of the tip would be too large for any law.
     """
 
     law: str = law_field()
@@ -54,19 +54,19 @@ class RodImpact(Experiment):
     )
     material: Material = material_field("material of the rod", "steel_gcm15")
     flat: Material = material_field("material of the flat", "iron_gcm15")
-    # Default pair: in the paper, all laws use E* and R* of the pair.
+    # The default is `pair`, because in the paper all laws use E* and R* of the pair.
     reading: str = word(
         "body whose modulus and radius enter laws fitted to one sphere",
         ("pair", "yielding_body"),
         default="pair",
     )
-    # Default: (2/H_rod + 2/H_flat)^-1, as in the paper, for the Brinell hardnesses 327 and 105.
+    # The default is (2/H_rod + 2/H_flat)^-1 for the Brinell hardnesses 327 and 105, as printed.
     indentation_pressure: float = number(
         "indentation pressure, for the laws that use it", "Pa", 0, default=3.8971e8
     )
 
     command = "rod"
-    help = "drop the oblique rod of a paper, with table and figures"
+    help = "run oblique impacts of the rod of a paper, with table and figures"
     example = "plastigran rod --law thornton jackson_green"
     deck = "collision/rod.in"
     flags: ClassVar = {
@@ -168,7 +168,7 @@ class RodImpact(Experiment):
     ) -> list[RodImpact]:
         """Return impacts of the paper's rod at some angles [degrees].
 
-        Without a coefficient of friction, it is that of the paper for the angle.
+        The default coefficient of friction is the paper's value for the angle.
 
         Raises:
             ValueError: The paper gives no friction for an angle.

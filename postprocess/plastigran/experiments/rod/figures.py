@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figures of a rod's impacts: one motion over time, and outcomes over impact speed."""
+"""Figures of a rod's impacts: one motion versus time, and outcomes versus impact speed."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ POINTS = 30
 
 
 def closest_to_measured(impacts: dict[RodImpact, RodOutcome]) -> RodImpact:
-    """Return the run closest to the measured one: in angle, then speed, then angular velocity."""
+    """Return the run closest to the measured one in angle, then in speed and angular velocity."""
 
     def distance(run: RodImpact) -> tuple[float, float, float]:
         return (
@@ -40,10 +40,10 @@ def closest_to_measured(impacts: dict[RodImpact, RodOutcome]) -> RodImpact:
 
 
 def motion_figure(run: RodImpact, measured: RodOutcome) -> Figure:
-    """Draw forces, displacement, velocities and angular velocity over the time of contact.
+    """Draw forces, displacement, velocities and angular velocity versus time during contact.
 
-    Lines are the equations of motion, points LIGGGHTS. Dotted lines are measured values after the
-    impact, if the run is the measured one.
+    Lines are the equations of motion, points are LIGGGHTS. If the run is the measured one, dotted
+    lines show the measured values after the impact.
     """
     predicted = run.predict().history
     points = measured.history.iloc[:: max(1, len(measured.history) // POINTS)]
@@ -87,7 +87,7 @@ def motion_figure(run: RodImpact, measured: RodOutcome) -> Figure:
 
 
 def outcome_figure(table: pd.DataFrame) -> Figure:
-    """Draw restitution of the tip and angular velocity over impact speed, a column for each angle.
+    """Draw tip restitution and angular velocity versus impact speed, a column for each angle.
 
     The star is the measured run of the paper; its restitution follows from its velocities.
 
@@ -118,7 +118,7 @@ def outcome_figure(table: pd.DataFrame) -> Figure:
 
 
 def deformation_figure(table: pd.DataFrame) -> Figure:
-    """Draw permanent deformation over impact speed, a column for each angle.
+    """Draw permanent deformation versus impact speed, a column for each angle.
 
     Args:
         table: Columns of `RodImpact.row`.
@@ -150,7 +150,7 @@ def _grid(table: pd.DataFrame, rows: int) -> tuple[Figure, np.ndarray]:
 
 
 def _curves(axes: Axes, table: pd.DataFrame, angle: float, column: str, scale: float) -> None:
-    """Draw points of LIGGGHTS, with lines through the equations of motion at their speeds."""
+    """Draw points of LIGGGHTS, and lines of the equations of motion at the same speeds."""
     for law in sorted(table["law"].unique()):
         rows = table[(table["law"] == law) & (table["angle"] == angle)].sort_values("speed")
         if not rows[column].any():

@@ -27,7 +27,8 @@ def measure_rod(
             of each sphere.
 
     Raises:
-        CollisionError: The table is not a rod's, or the tip never touches or does not separate.
+        CollisionError: The table does not contain three spheres, or the tip never touches or does
+            not separate.
     """
     if not isinstance(trajectory, pd.DataFrame):
         trajectory = read_dump(trajectory)
@@ -40,7 +41,7 @@ def measure_rod(
         {
             "time": tip["time"],
             "overlap": tip["radius"] - tip["y"],
-            # set forces to zero that are round-off of the subtracted weight
+            # Set the force to zero if it is only round-off from the subtraction of the weight.
             "force": force.where(force > 1e-9 * force.max(), 0),
             "speed": -tip["vy"],
         }

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Data that Ghaednia, Cermik & Marghitu (2015, Int. J. Impact Eng. 86:307) print of their rod."""
+"""Printed data of the rod of Ghaednia, Cermik & Marghitu (2015, Int. J. Impact Eng. 86:307)."""
 
 from __future__ import annotations
 
@@ -44,6 +44,6 @@ def paper_rods() -> tuple[Rod, ...]:
     return tuple(Rod(*set_up) for set_up in PAPER_FRICTION.items())
 
 
-#: Measured coefficient of restitution of the tip's normal velocity [-] at these angles [degrees],
-#: approximate and for all speeds.
+#: Approximate measured coefficient of restitution of the tip's normal velocity, for all speeds [-],
+#: by the angle of the rod [degrees].
 PAPER_RESTITUTION = {45.0: 0.43, 17.2: 0.55}

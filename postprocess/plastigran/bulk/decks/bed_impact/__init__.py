@@ -19,7 +19,8 @@ from plastigran.bulk.decks.bed_impact.measurement import (
 )
 from plastigran.declared import number, require, whole, word
 
-#: Error of the integrator at an adequate time step, in restitution, rebound speed and plastic work.
+#: Allowed error of the integrator at an adequate time step: relative error of restitution, rebound
+#: speed and plastic work.
 INTEGRATOR = 1e-3
 #: Allowed ratio of plastic work in the last step of pouring to plastic work of the shots.
 STEP = 1e-4
@@ -125,7 +126,7 @@ class BedImpact(GranularDeck):
 
 
 def plate_checks(shot: pd.DataFrame, mass: float, dissipated: pd.Series) -> list[Check]:
-    """Compare every shot with its central impact, and all of them together.
+    """Compare every shot, and the sums over all shots, with the central impact of the law.
 
     Args:
         shot: Columns of `measure_shots`, and `rebound_predicted` [m/s].
@@ -150,7 +151,7 @@ def plate_checks(shot: pd.DataFrame, mass: float, dissipated: pd.Series) -> list
             reason,
         ),
         Check(
-            "quantiles of rebound speed compared with those predicted, divided by the fastest",
+            "quantiles of rebound speed compared with the law, divided by the fastest rebound",
             abs(quantiles).max() / impact.max(),
             INTEGRATOR,
             reason,

@@ -40,7 +40,7 @@ def plate_figure(shot: pd.DataFrame) -> Figure:
 
 
 def bed_figure(shot: pd.DataFrame, by_depth: pd.DataFrame, diameter: float) -> Figure:
-    """Draw rebound over impact speed with the curve of a plate, and plastic work by depth.
+    """Draw rebound / impact speed, with the law's curve for a plate, and plastic work by depth.
 
     Args:
         shot: Columns impact_speed, rebound_speed, rebound_predicted [m/s], one row per shot.
@@ -61,11 +61,11 @@ def bed_figure(shot: pd.DataFrame, by_depth: pd.DataFrame, diameter: float) -> F
 
 
 def _restitution(axes: Axes, ordered: pd.DataFrame, shown: pd.DataFrame) -> None:
-    """Draw points of the selected shots, and the law's line, sorted by impact speed."""
+    """Draw the selected shots as points, and the law as a line. `ordered` is sorted by speed."""
     speed, points = shown["impact_speed"], {"color": COLOURS[1], "mfc": "none", "ms": 5}
     axes.plot(speed, shown["rebound_speed"] / speed, "o", alpha=0.8, label="shot", **points)
     speed, line = ordered["impact_speed"], {"color": COLOURS[0], "lw": 1.3}
     label = "the law's central impact on a plate"
     axes.plot(speed, ordered["rebound_predicted"] / speed, label=label, **line)
-    axes.set(xlabel="impact speed (m/s)", ylabel="rebound over impact speed")
+    axes.set(xlabel="impact speed (m/s)", ylabel="rebound speed / impact speed")
     axes.legend(loc="best")

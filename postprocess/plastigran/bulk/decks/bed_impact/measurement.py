@@ -33,8 +33,8 @@ def measure_shots(
 ) -> pd.DataFrame:
     """Measure the speeds at which each shot reaches and leaves the surface of the target.
 
-    The lowest shot starts a radius above the surface. Above the surface a shot flies freely, so
-    v^2 + 2 g z is constant.
+    The lowest shot starts a radius above the surface. Above the surface, a shot flies freely, so
+    v^2 + 2 g z is constant during the flight.
 
     Args:
         shot: Rows of `read_grains_dump`, of the shots only.

@@ -80,7 +80,7 @@ class Chute(FlowDeck):
         )
 
     def power_checks(self, series: pd.DataFrame, steady: pd.DataFrame) -> list[Check]:
-        """Check the work of the weight, and its power against dissipation.
+        """Check the work of gravity, and compare its power with the dissipated power.
 
         Args:
             series: Columns time [s], gravity and gravity_predicted [J].
@@ -92,7 +92,7 @@ class Chute(FlowDeck):
         power = linregress(steady["time"], dissipated(steady)).slope
         return [
             Check(
-                "difference of the weight's work from that of the center of mass, relative",
+                "work of gravity compared with the work on the center of mass, relative",
                 (work + series["gravity_predicted"]).abs().max() / work.abs().max(),
                 WEIGHT * trapezia,
                 "m g (v sin(angle) t - z cos(angle)), integrated over lines of the log",
@@ -111,7 +111,7 @@ def flow_checks(steady: pd.DataFrame, profile: Profile) -> list[Check]:
 
     Args:
         steady: Column speed [m/s], after settling.
-        profile: Profile of that time.
+        profile: Velocity profile after settling.
     """
     smallest = steady["speed"].min()
     return [
@@ -125,6 +125,6 @@ def flow_checks(steady: pd.DataFrame, profile: Profile) -> list[Check]:
             "deviation from Bagnold's profile / speed at the surface",
             profile.residual,
             PROFILE,
-            "root mean square; the profile holds for a dense flow deeper than its layers",
+            "root mean square; the profile holds for a dense flow of many layers",
         ),
     ]

@@ -19,7 +19,7 @@ WINDOW = 0.12
 def chute_figure(
     series: pd.DataFrame, grains: pd.DataFrame, profile: Profile, settling: float
 ) -> Figure:
-    """Draw the last grains colored by speed, mean speed over height, and powers over time.
+    """Draw the grains of the last frame by speed, mean speed by height, and powers versus time.
 
     Args:
         series: Columns time [s], weight_power [W], plastic, friction and viscous [J].

@@ -96,7 +96,7 @@ class Compaction(GranularDeck):
 
 
 def energy_checks(table: pd.DataFrame, loop: Loop) -> list[Check]:
-    """Check the work of the punch against the energy balance, and that the stroke is slow."""
+    """Compare the work of the punch with the energy balance, and check that the stroke is slow."""
     loaded = table[table["pressure"] > LOADED * loop.pressure]
     difference = (table["wallwork"] - table["punch_work"]).abs().max() / table["wallwork"].max()
     return [

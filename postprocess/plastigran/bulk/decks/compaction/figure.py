@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figure of die compactions: pressure over relative density, and Heckel's plot of loading."""
+"""Figure of die compactions: pressure versus relative density, and Heckel's plot of loading."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ def compaction_figure(runs: dict[str, pd.DataFrame], yield_strengths: list[float
     """Draw loops of loading and unloading, and loading in Heckel's plot with his line.
 
     Args:
-        runs: Label to columns relative_density [-] and pressure [Pa], in order of time.
+        runs: Tables by label: columns relative_density [-] and pressure [Pa], in order of time.
         yield_strengths: Yield strength of the grains of each run [Pa], for the slope
             1/(3 sigma_Y); elastic grains have no line.
     """

@@ -48,7 +48,7 @@ class CoolingGas(BulkDeck):
     mixing: float = number("elastic impacts per grain before the measurement", "-", 0)
     # The settings marked as continuable let a continued run end later, with other log steps.
     duration: float = continuable(
-        number("duration in mean times between first impacts of a grain", "-", 0)
+        number("duration / mean time between impacts of a grain at the start", "-", 0)
     )
     rows: int = continuable(whole("number of log lines", 1))
     checkpoints: int = continuable(whole("number of restart files, a divisor of rows", 1))
@@ -98,7 +98,7 @@ class CoolingGas(BulkDeck):
         checks = [
             count_check(series, self.count),
             Check(
-                "mean velocity of the gas over its thermal speed",
+                "mean velocity of the gas / thermal speed",
                 (series["flow"] / series["temperature"] ** 0.5).max(),
                 1e-9,
                 "impacts conserve momentum, to round-off",
@@ -123,12 +123,12 @@ class CoolingGas(BulkDeck):
         return Analysis(series, checks, {"cooling_gas": course, **self.ledger_figure(series)})
 
     def stored_share(self, gas: Gas) -> float:
-        """Return a bound on the fraction of kinetic energy stored in impacts at the start [-].
+        """Return a bound on the fraction of kinetic energy that impacts store at the start [-].
 
         Of N grains, N s/2 pairs touch, where s is the collision rate times the elastic duration of
         the mean impact. The energy m g^2/4 of an impact is exponentially distributed with mean m T,
         and about half of it is stored at a given time. The total kinetic energy is 3/2 N m T. The
-        mean is s/6, with a standard deviation of s^(1/2)/(3 N^(1/2)).
+        mean fraction is s/6, with a standard deviation of s^(1/2)/(3 N^(1/2)).
         """
         grains = self.grains
         modulus, speed = grains.pair.youngs_modulus_eff, (pi * self.temperature) ** 0.5

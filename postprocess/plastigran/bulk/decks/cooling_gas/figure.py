@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figure of a cooling gas: granular temperature over time, compared with mean-field theory."""
+"""Figure of a cooling gas: granular temperature versus time, compared with mean-field theory."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ def cooling_figure(
     """Draw points from LIGGGHTS and lines of mean-field theory, and below their ratio.
 
     Args:
-        runs: Label to columns time [s], temperature, temperature_predicted [m^2/s^2] and
+        runs: Tables by label: columns time [s], temperature, temperature_predicted [m^2/s^2] and
             temperature_error [-].
         stall: v_Y^2 [m^2/s^2]; None for a law without yield.
         cooling_rate: -d ln T/dt at the start [1/s], for the curve of a constant restitution; None
@@ -53,5 +53,5 @@ def cooling_figure(
         band = {"color": "0.5", "alpha": 0.3, "lw": 0, "label": "two standard deviations"}
         below.fill_between([], [], [], **band)
         below.legend(loc="lower left", fontsize=8)
-        below.set(ylabel="over\nmean field", xlabel="time (ms)")
+        below.set(ylabel="LIGGGHTS /\nmean field", xlabel="time (ms)")
     return figure

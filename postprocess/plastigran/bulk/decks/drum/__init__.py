@@ -97,7 +97,7 @@ class Drum(FlowDeck):
 
         Returns:
             The series with `revolutions`, `angle` and `wallwork_predicted`. The angle [degrees] is
-            the inclination of the line from the axis to the center of mass. The work [J] is that of
+            the inclination of the line from the axis to the center of mass. The work [J] is done by
             the torque that balances the weight and changes the angular momentum of the bed.
         """
         torque = self.gravitational_acceleration * series["mass"] * series["x"]
@@ -132,14 +132,14 @@ class Drum(FlowDeck):
         ]
 
     def power_checks(self, series: pd.DataFrame, steady: pd.DataFrame) -> list[Check]:
-        """Check the work of the wall against the torque of the weight and against dissipation.
+        """Compare the work of the wall with the torque of the weight and with the dissipation.
 
-        With rolling friction, the check against the torque is omitted: LIGGGHTS computes rolling
-            friction as if the wall did not rotate, a torque on the grains without work of the wall.
+        With rolling friction, the comparison with the torque is omitted. LIGGGHTS computes rolling
+        friction as if the wall did not rotate: a torque on the grains without work of the wall.
 
         Args:
             series: Columns time [s], wallwork, wallwork_predicted [J].
-            steady: Rows after settling, with plastic, friction and viscous [J], too.
+            steady: Rows after settling, with the further columns plastic, friction and viscous [J].
         """
         share = linregress(steady["wallwork"], dissipated(steady)).slope
         checks = [
@@ -157,7 +157,7 @@ class Drum(FlowDeck):
             )
             checks.append(
                 Check(
-                    "work of the wall compared with the work of the weight's torque, relative",
+                    "relative difference between the wall work and the work of the weight's torque",
                     difference / series["wallwork"].abs().max(),
                     LEVER_ARM * trapezia,
                     "m g x omega and the change of angular momentum, integrated over lines of the "

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figure of a rotating drum: the bed, its angle over time, and the power of the wall."""
+"""Figure of a rotating drum: the bed, its angle versus time, and the power of the wall."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ WINDOW = 0.05
 def drum_figure(
     series: pd.DataFrame, grains: pd.DataFrame, drum_radius: float, settling: float
 ) -> Figure:
-    """Draw the bed along its axis, colored by speed; its angle; powers of wall, weight and bed.
+    """Draw the bed as seen along the axis, its angle, and the powers of wall, weight and bed.
 
     Args:
         series: Columns time [s], revolutions, angle [degrees], and works [J]: wallwork,
@@ -73,7 +73,7 @@ def _draw_powers(axes, series) -> None:
     axes.plot(turns[::every], lever[::every], "o", label="lever arm of the weight", **points)
     axes.plot(turns, total, color=COLOURS[1], lw=1, label="dissipated in the bed")
     axes.plot(turns, plastic, color=COLOURS[1], lw=1, ls=":", label="by yielding")
-    # None (automatic limit) if the work of the wall is unknown, without energy balance.
+    # Without energy balance, the work of the wall is unknown: let matplotlib choose the limit.
     top = 2.2 * wall.max() or None
     axes.set(ylim=(0, top), ylabel="power (mW)", xlabel="revolutions")
     axes.legend(loc="upper right", ncols=2, fontsize="small")

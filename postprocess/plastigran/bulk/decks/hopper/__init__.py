@@ -16,10 +16,10 @@ from plastigran.declared import number, whole
 from plastigran.engine.process import inputs_folder
 from plastigran.physics.beverloo import BLOCKS, STEADY_SHARE, Discharge, measure_discharge
 
-#: Allowed difference between the rates of two halves, in standard deviations.
+#: Allowed difference between the rates of the two halves of the discharge, in standard deviations.
 DEVIATIONS = 4
-#: Allowed additional relative change of the rate as the filling level falls: with 2080 grains, 4.5
-#: % was measured on average (docs/decks/hopper.md).
+#: Allowed additional relative change of the rate while the filling level falls. With 2080 grains,
+#: the measured mean is 4.5 % (docs/decks/hopper.md).
 LEVEL = 0.05
 #: Remark for a run without steady discharge.
 UNMEASURED = (
@@ -54,9 +54,7 @@ class Hopper(GranularDeck):
     layers: int = whole("number of layers of about 200 grains", 1)
     temperature: float = number("initial variance of the velocity in each direction", "m^2/s^2", 0)
     filling: float = number("time for the grains to come to rest", "s", 0)
-    duration: float = number(
-        "duration in times that Beverloo's law needs to empty the hopper", "-", 0
-    )
+    duration: float = number("duration / time to empty the hopper by Beverloo's law", "-", 0)
     beverloo_coefficient: float = number("C of Beverloo's law", "-", 0)
     empty_annulus: float = number("k of Beverloo's law", "-", 0)
 
@@ -73,14 +71,14 @@ class Hopper(GranularDeck):
             )
 
     def discharge(self, series: pd.DataFrame) -> Discharge | None:
-        """Return the steady discharge of a series from the opening of the orifice, or None."""
+        """Return the steady discharge after the opening of the orifice, or None without one."""
         orifice, diameter = float(self.orifice) * 2 * self.radius, 2 * self.radius
         bed = orifice, diameter, self.density, self.gravitational_acceleration
         return measure_discharge(series, *bed, self.beverloo_coefficient, self.empty_annulus)
 
     def analyse(self, series: pd.DataFrame) -> Analysis:
         """Analyse the discharge; arguments as for `BulkDeck.analyse`."""
-        # Time since the orifice opened.
+        # Count the time from the opening of the orifice.
         series = series.assign(time=series["time"] - series["time"].iloc[0])
         discharge = self.discharge(series)
         missing = series["held"] + series["counted"] - self.derived("grains")

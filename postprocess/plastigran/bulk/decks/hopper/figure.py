@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figure of a hopper: discharged mass over time, and rate over orifice diameter."""
+"""Figure of a hopper: discharged mass versus time, and rate versus orifice diameter."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from plastigran.plot.style import COLOURS, styled, subplots
 
 
 def discharge_figure(series: pd.DataFrame, discharge: Discharge | None, mass: float) -> Figure:
-    """Draw the discharged mass over time, the line through its steady part, and Beverloo's law.
+    """Draw the discharged mass versus time, the line of the steady part, and Beverloo's law.
 
     Args:
         series: Columns time [s] and counted, the number of discharged grains.
@@ -22,7 +22,7 @@ def discharge_figure(series: pd.DataFrame, discharge: Discharge | None, mass: fl
     """
     with styled():
         figure, axes = subplots(figsize=(6.4, 4.4))
-        label = "discharge, thick where its rate is measured" if discharge else "discharge"
+        label = "discharge (thick: steady part)" if discharge else "discharge"
         _draw_course(axes, series, discharge, mass, COLOURS[0], label)
         if discharge:
             time = np.array([discharge.start, discharge.stop])
@@ -37,7 +37,7 @@ def discharge_figure(series: pd.DataFrame, discharge: Discharge | None, mass: fl
             }
             axes.fill_between(time, low, high, **band)
             rate = f"{discharge.rate:.3g} ± {discharge.rate_error:.1g} kg/s"
-            headline = f"{rate}, {discharge.rate / discharge.predicted:.2f} of Beverloo's"
+            headline = f"{rate}, {discharge.rate / discharge.predicted:.2f} times Beverloo's law"
         else:
             headline = "rate not measured: no steady discharge"
         axes.set_title(headline, fontsize=10)
@@ -46,7 +46,7 @@ def discharge_figure(series: pd.DataFrame, discharge: Discharge | None, mass: fl
 
 
 def orifices_figure(runs: list[tuple[pd.DataFrame, Discharge, float]]) -> Figure:
-    """Draw discharged mass over time for several orifices, and rate^(2/5) over the orifice.
+    """Draw discharged mass versus time for several orifices, and rate^(2/5) versus diameter.
 
     Args:
         runs: Series, discharge and mass of a grain [kg] for three or more orifices.
@@ -74,7 +74,7 @@ def orifices_figure(runs: list[tuple[pd.DataFrame, Discharge, float]]) -> Figure
         line = np.clip(law.coefficient**0.4 * (width - law.empty_annulus), 0, None)
         constants = f"Beverloo: C = {law.coefficient}, k = {law.empty_annulus}"
         right.plot(width, line, "--", color="0.5", lw=1.3, label=constants)
-        right.set(xlim=0, ylim=0, xlabel="orifice over grain, $D_0/d$")
+        right.set(xlim=0, ylim=0, xlabel="orifice / grain diameter, $D_0/d$")
         right.set_ylabel(r"$(W/\rho_b \sqrt{g})^{2/5}/d$")
         right.legend(loc="upper left")
     return figure
@@ -88,10 +88,10 @@ def _draw_course(
     colour: str,
     label: str,
 ) -> None:
-    """Draw discharged mass over time, thick where the rate is measured."""
+    """Draw discharged mass versus time, with a thick line where the rate is measured."""
     out = mass * series["counted"]
     axes.plot(series["time"], out, color=colour, lw=1, label=label)
     if discharge:
         steady = series["time"].between(discharge.start, discharge.stop)
         axes.plot(series["time"][steady], out[steady], color=colour, lw=3)
-    axes.set(xlabel="time since the orifice opened (s)", ylabel="mass out (kg)")
+    axes.set(xlabel="time since the orifice opened (s)", ylabel="discharged mass (kg)")

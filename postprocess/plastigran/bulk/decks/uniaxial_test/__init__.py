@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Uniaxial test of a powder: consolidation in a mold, then strength of the free sample."""
+"""Deck uniaxial_test: consolidation of a powder in a mold, then strength of the free sample."""
 
 from __future__ import annotations
 
@@ -30,14 +30,15 @@ from plastigran.usable_laws import laws_for
 
 #: Laws with constants that are settings of this deck.
 ADHESIVE_LAWS = ("edinburgh_2014", "luding_2008")
-#: Largest relative difference between the stress at the end of consolidation and the set one.
+#: Allowed relative difference between the stress at the end of consolidation and its setting.
 REACHED = 0.01
-#: Largest kinetic / elastic energy of a sample at rest.
+#: Largest allowed kinetic / elastic energy of a sample at rest.
 SLOW = 0.02
-#: Error of the platen's work, summed over 400 rows; trapezoids of half the width have a quarter.
+#: Allowed relative error of the work of the platen, integrated over 400 rows. The error is
+#: proportional to the square of the row spacing.
 WORK = 2e-3
 
-#: A short run of few grains.
+#: Settings of a short run with few grains.
 BRIEF = {"side": 3, "layers": 4, "options": "", "filling": 0.02, "consolidation": 0.1}
 BRIEF |= {"release": 0.01, "strain": 0.05, "speed": 0.03, "timestep": 4e-6, "rows": 80}
 BRIEF |= {"checkpoints": 4}
@@ -45,7 +46,7 @@ BRIEF |= {"checkpoints": 4}
 
 @attrs.frozen(kw_only=True)
 class UniaxialTest(GranularDeck):
-    """A sample is consolidated in a mold, freed, and compressed until it fails."""
+    """Test of a sample that is consolidated in a mold, freed, and compressed until it fails."""
 
     briefs: ClassVar = {
         "": Brief(
@@ -58,10 +59,10 @@ class UniaxialTest(GranularDeck):
 
     law: str = word("law between grains", sorted([*laws_for("sphere"), *ADHESIVE_LAWS]))
     stiffness_ratio: float = number(
-        "unloading over loading stiffness of edinburgh_2014", "-", 1.0001, 1e6, True, True
+        "unloading / loading stiffness of edinburgh_2014", "-", 1.0001, 1e6, True, True
     )
     adhesion_ratio: float = number(
-        "adhesive over loading stiffness of edinburgh_2014", "-", 0, 1e6, True, True
+        "adhesive / loading stiffness of edinburgh_2014", "-", 0, 1e6, True, True
     )
     surface_energy: float = number(
         "surface energy whose pull-off force is the constant force of edinburgh_2014",
@@ -120,7 +121,7 @@ class UniaxialTest(GranularDeck):
         checks = [
             count_check(table, self.derived("grains")),
             Check(
-                "stress at the end of consolidation compared with consolidation_stress, relative",
+                "relative difference between the stress after consolidation and its setting",
                 abs(strength.consolidation / self.consolidation_stress - 1),
                 REACHED,
                 "the platen has reached its stress; otherwise raise consolidation",
@@ -169,7 +170,7 @@ class UniaxialTest(GranularDeck):
 
 
 def results(strength: Strength) -> dict[str, float]:
-    """Return the strength by name, for the command and the report."""
+    """Return the measured values by name, for the command and the report."""
     return {
         "consolidation stress (Pa)": strength.consolidation,
         "porosity after consolidation": strength.porosity,
@@ -183,7 +184,7 @@ def notes(table: pd.DataFrame, strain: float) -> list[str]:
     """Return a note if the sample was not freed, or not compressed to the set strain."""
     reached = table["strain"].iloc[-1]
     if isnan(reached):
-        return ["the strength was not measured: the platen did not leave the sample. Raise release"]
+        return ["the strength was not measured, because the platen did not leave. Raise release"]
     if reached >= strain:
         return []
     return [
@@ -193,9 +194,9 @@ def notes(table: pd.DataFrame, strain: float) -> list[str]:
 
 
 def energy_checks(table: pd.DataFrame) -> list[Check]:
-    """Check the work of the platen against the energy balance, and that consolidation ends at rest.
+    """Compare the platen's work with the energy balance; check that consolidation ends at rest.
 
-    The mold does work while it opens, so that stage is left out.
+    The stage in which the mold opens is omitted, because the mold does work.
     """
     rest = table[table["stage"] == Stage.CONSOLIDATION].iloc[-1]
     moved = table["stage"] != Stage.OPENING
@@ -206,10 +207,10 @@ def energy_checks(table: pd.DataFrame) -> list[Check]:
             "work of the platen compared with force times travel, relative",
             (balance - work).abs().max() / balance.max(),
             WORK * max(1, 400 / len(table)) ** 2,
-            f"mean force and trapezoids of the velocity between {len(table)} rows",
+            f"error of trapezoidal integration with {len(table)} rows",
         ),
         Check(
-            "kinetic over elastic energy at the end of consolidation",
+            "kinetic / elastic energy at the end of consolidation",
             rest["kinetic"] / rest["elastic"],
             SLOW,
             "the sample is at rest; otherwise raise consolidation",

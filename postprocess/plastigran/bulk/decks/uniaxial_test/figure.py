@@ -14,7 +14,8 @@ def uniaxial_figure(runs: dict[str, tuple[pd.DataFrame, Strength]]) -> Figure:
     """Draw the stress of the platen in the mold and on the free sample.
 
     Args:
-        runs: Label to the columns stage, strain, stress [Pa] and porosity [-], and the strength.
+        runs: By label, a table with columns stage, strain, stress [Pa] and porosity [-], and the
+            strength.
     """
     with styled():
         figure, (mold, free) = subplots(1, 2, figsize=(9.2, 3.8))
@@ -25,7 +26,7 @@ def uniaxial_figure(runs: dict[str, tuple[pd.DataFrame, Strength]]) -> Figure:
             tested = table[(table["stage"] == Stage.COMPRESSION) & (table["strain"] >= 0)]
             free.plot(tested["strain"], tested["stress"] / 1e3, **line)
             peak = strength.failure_strain, strength.unconfined / 1e3
-            label = f"{strength.ratio:.2f} of the consolidation stress"
+            label = f"{strength.ratio:.2f} times the consolidation stress"
             free.plot(*peak, "o", color=colour, mfc="white", label=label)
         mold.invert_xaxis()
         mold.set(xlabel="porosity in the mold", ylabel="stress of the platen (kPa)")

@@ -9,7 +9,7 @@ import attrs
 import numpy as np
 import pandas as pd
 
-#: Fraction of the consolidation stress at which the platen has left the sample.
+#: Stress / consolidation stress below which the platen has left the sample.
 TOUCH = 0.01
 
 
@@ -75,14 +75,14 @@ def platen_work(table: pd.DataFrame) -> pd.Series:
     """Return the work of the platen since the previous row (n,) [J].
 
     Args:
-        table: Columns height of the platen [m], and upward force on it [N], mean since the previous
-            row.
+        table: Columns height of the platen [m], and mean upward force on the platen since the
+            previous row [N].
     """
     return -table["force"] * table["height"].diff()
 
 
 def free_height(table: pd.DataFrame) -> float:
-    """Return the height of the unloaded sample [m]; NaN if the platen does not leave it.
+    """Return the height of the unloaded sample [m]; NaN if the platen does not leave the sample.
 
     Args:
         table: Columns stage, height of the platen [m] and stress [Pa].
