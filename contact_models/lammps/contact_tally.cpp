@@ -20,8 +20,8 @@ void ContactTally::begin(LAMMPS_NS::LAMMPS* lammps) {
   force_on_wall = {};
 }
 
-// Each particle of a pair gets half of the plastic work. With `newton off`, the other rank adds the
-// half of the ghost.
+// Adds half of the plastic work to each particle of a pair. With `newton off`, the rank that owns
+// the ghost's particle adds the other half.
 void ContactTally::add_dissipated(const GranularModel& contact, double plastic_work,
                                   double adhesion_loss) {
   const bool is_pair = contact.contact_type == LAMMPS_NS::Granular_NS::PAIR;

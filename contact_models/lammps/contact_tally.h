@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The contacts of a pair style or a wall in one force computation: their energies, and the loads
-// that the energy balance needs. If ranks share a contact, each counts half of its energies.
+// Contacts of a pair style or a wall in one force computation: their energies, and the forces and
+// torques for the energy balance. If two ranks compute a contact, each counts half of its energies.
 #pragma once
 
 #include <array>
@@ -14,13 +14,13 @@ namespace plastigran {
 
 class ContactTally {
  public:
-  virtual ~ContactTally() noexcept(false) = default;  // as LAMMPS' base classes
+  virtual ~ContactTally() noexcept(false) = default;  // noexcept(false) as in LAMMPS' classes
 
-  // The contacts of one force computation lie between `begin` and `end`.
+  // Call begin() before a force computation and end() after it; add() ignores all other contacts.
   void begin(LAMMPS_NS::LAMMPS* lammps);
   void end() { active_ = false; }
 
-  // Adds the energies of a contact; `plastic_work` and `adhesion_loss` of this step [J].
+  // Adds the energies of a contact. `plastic_work` and `adhesion_loss` are those of this step [J].
   void add(const LAMMPS_NS::Granular_NS::GranularModel& contact, const Response& response,
            double overlap_limit, double plastic_work, double adhesion_loss) {
     if (!active_) return;
@@ -33,19 +33,19 @@ class ContactTally {
       add_dissipated(contact, plastic_work, adhesion_loss);
   }
 
-  // Adds the loads of a contact, of which `viscous` is the rate-dependent part of the normal force
-  // on the first particle [N].
+  // Adds the forces and torques of a contact. `viscous` is the rate-dependent part of the normal
+  // force on the first particle [N].
   void add_loads(const LAMMPS_NS::Granular_NS::GranularModel& contact, double viscous);
 
-  // Sums of this rank.
+  // Sums over the contacts of this rank: number, and energies [J].
   double contacts = 0, elastic_energy = 0, surface_energy = 0;
   double furthest = 1;  // largest overlap divided by the limit of the law, if above 1
   std::array<double, 3> force_on_wall{};  // [N]
-  bool lacks_loads = false;               // LAMMPS' heat model takes the place of LoadModel
+  bool lacks_loads = false;               // whether a heat model of the deck excludes LoadModel
 
  private:
   int index(const double* velocity) const { return static_cast<int>((velocity - velocities_) / 3); }
-  // Whether another rank computes this contact too.
+  // Returns whether another rank also computes this contact.
   bool is_shared(const LAMMPS_NS::Granular_NS::GranularModel& contact) const {
     return contact.contact_type == LAMMPS_NS::Granular_NS::PAIR && !newton_ &&
            index(contact.vj) >= nlocal_;

@@ -159,13 +159,15 @@ double EnergyBalance::state_energy() const {
   return mechanical_energy() + now.elastic + now.surface;
 }
 
-// LAMMPS computes the forces of some walls later than this. The setup ends where all are known.
+// At this point of the setup, LAMMPS has not yet computed the forces of some walls. `end_setup` is
+// called when all forces are known.
 void EnergyBalance::setup(int) {
   mechanical_ = mechanical_energy();
   in_setup_ = true;
 }
 
-// The deck may have changed the energy since the last run, or removed walls.
+// Since the last run, the deck may have changed the energy, for example by removing a wall. The
+// change counts as inserted energy.
 void EnergyBalance::end_setup() {
   if (!in_setup_) return;
   in_setup_ = false;
@@ -182,7 +184,7 @@ void EnergyBalance::post_integrate() {
   mechanical_ = mechanical_energy();
 }
 
-// Particles were inserted, deleted, and moved to other ranks.
+// LAMMPS calls this function after particles were inserted, deleted or moved to other ranks.
 void EnergyBalance::pre_neighbor() { sums_.inserted += mechanical_energy() - mechanical_; }
 
 void EnergyBalance::end_of_step() {
@@ -195,7 +197,7 @@ void EnergyBalance::end_of_step() {
 }
 
 void EnergyBalance::post_run() {
-  end_setup();  // if the run had no step
+  end_setup();  // has an effect only if the run had no step
   last_state_ = state_energy();
   has_run_ = true;
 }
@@ -234,7 +236,8 @@ void EnergyBalance::write_restart(FILE* file) {
 
 void EnergyBalance::restart(char* data) {
   started_ = true;
-  if (comm->me == 0) std::memcpy(&sums_, data, sizeof sums_);  // rank 0 takes those of all ranks
+  // Rank 0 takes the sums of all ranks; the other ranks start at zero.
+  if (comm->me == 0) std::memcpy(&sums_, data, sizeof sums_);
 }
 
 }  // namespace plastigran

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Energy balance of the particles, as the fix `plastigran_energy` that `compute plastigran/energy`
-// makes. docs/energy_balance.md defines the energy terms, which are the same as in LIGGGHTS.
+// Energy balance of the particles. `compute plastigran/energy` creates this fix with the ID
+// `plastigran_energy`. docs/energy_balance.md defines the energy terms, which are the same as in
+// LIGGGHTS.
 //
 // No term is computed as the remainder of the others. The laws give elastic energy and plastic
 // work. The work of friction, dashpots and walls is the integral of their power by the trapezoidal
-// rule, with the velocities at the end of each step. For velocity Verlet this is the exact change
-// of the kinetic energy. Power is linear in the loads, so it suffices to sum the loads by particle.
+// rule, with the velocities at the end of each step. With velocity Verlet, this work is the exact
+// change of the kinetic energy. Power is linear in the loads, so sums of loads by particle suffice.
 #pragma once
 
 #include <array>
@@ -18,10 +19,11 @@ namespace plastigran {
 
 class ContactTally;
 
-// Sum of the loads of one particle that dissipate energy without plastic flow.
+// Sum of the forces [N] and torques [N m] on one particle that dissipate energy without plastic
+// flow.
 struct ParticleLoad {
   double friction[3]{}, torque[3]{};  // of the tangential, rolling and twisting models
-  double dashpot[3]{};                // rate-dependent normal forces
+  double dashpot[3]{};                // rate-dependent parts of the normal forces
 };
 
 class EnergyBalance : public LAMMPS_NS::Fix {
@@ -45,32 +47,32 @@ class EnergyBalance : public LAMMPS_NS::Fix {
   };
   typedef std::array<double, TERMS> Terms;
 
-  // Plastic work of each particle [J], a value of `fix property/atom`.
+  // Name of the plastic work of each particle [J] in `fix property/atom`.
   static constexpr const char* particle_work = "plastigran_work";
 
   EnergyBalance(LAMMPS_NS::LAMMPS* lammps, int count, char** words);
 
-  // Makes the fix if there is none.
+  // Creates the fix if the simulation has none.
   static void open(LAMMPS_NS::LAMMPS* lammps);
-  // The fix of a simulation; null if there is none.
+  // Returns the fix of a simulation; null if there is none.
   static EnergyBalance* of(LAMMPS_NS::LAMMPS* lammps);
 
-  // Energies of this step on this rank [J].
+  // Adds energies dissipated in this step on this rank [J].
   void add_dissipated(double plastic_work, double adhesion_loss) {
     sums_.plastic_work += plastic_work;
     sums_.adhesion_loss += adhesion_loss;
   }
   void add_to_particle(int particle, double plastic_work) { work_[particle] += plastic_work; }
   void add_load(int particle, const ParticleLoad& load);
-  // Adds the force of a wall on a particle; `load` is the part that dissipates energy.
+  // Adds the force of a wall on a particle [N]. `load` is the part that dissipates energy.
   void add_wall(const double* force, const ParticleLoad& load, const double* wall_velocity);
 
-  // Values per particle that ghosts return to their particles.
+  // Number of values that the ghost of a particle sends to the rank that owns the particle.
   static constexpr int reverse_size = 1 + sizeof(ParticleLoad) / sizeof(double);
   void pack_ghost(int particle, double* buffer) const;
   void add_ghost(int particle, const double* buffer);
 
-  // Sums over all ranks. Collective.
+  // Returns the energy terms of all ranks. All ranks must call this function.
   Terms terms();
 
   int setmask() override;
@@ -86,8 +88,7 @@ class EnergyBalance : public LAMMPS_NS::Fix {
   void restart(char* data) override;
 
  private:
-  // Sums on this rank since the balance was opened [J]. Restart files contain their sums over
-  // ranks.
+  // Sums on this rank since the fix was created [J]. Restart files contain the sums of all ranks.
   struct Sums {
     double plastic_work = 0, adhesion_loss = 0, friction = 0, viscous = 0, wall_work = 0;
     double inserted = 0, initial = 0;
@@ -113,7 +114,8 @@ class EnergyBalance : public LAMMPS_NS::Fix {
   Power power_, wall_power_;
   std::vector<ParticleLoad> loads_;
   double* work_ = nullptr;
-  // Mechanical energy in the setup, before an exchange, and state energy at the end of a run.
+  // Mechanical energy at setup or before particles are exchanged between ranks, and the mechanical
+  // and contact energy at the end of the last run [J].
   double mechanical_ = 0, last_state_ = 0;
   bool started_ = false, in_setup_ = false, has_run_ = false;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Reports the forces and torques of a contact to the tally. LAMMPS calls its heat model last, when
-// all forces of a contact are known, so this model takes the place of the heat model `none`.
+// Adds the forces and torques of a contact to the tally. LAMMPS calls its heat model last, when all
+// forces of a contact are known. This model therefore replaces the heat model `none`.
 #pragma once
 
 #include "lammps/contact_tally.h"
@@ -16,7 +16,7 @@ class LoadModel : public LAMMPS_NS::Granular_NS::GranSubModHeat {
   LoadModel(LAMMPS_NS::Granular_NS::GranularModel* model, LAMMPS_NS::LAMMPS* lammps,
             const NormalModel& normal, ContactTally& tally);
 
-  // Puts a new LoadModel in the place of LAMMPS' heat model, unless the line has one.
+  // Replaces LAMMPS' heat model by a LoadModel, unless the pair or wall line selects a heat model.
   static void add(LAMMPS_NS::Granular_NS::GranularModel* model, LAMMPS_NS::LAMMPS* lammps,
                   const NormalModel& normal, ContactTally& tally);
 
