@@ -209,9 +209,8 @@ class EnergyLedger : public PluginFix {
   std::vector<Vector> dashpots_;        // forces by local particle index; empty without dashpots
 
   Sums sums_;
-  double mechanical_before_ =
-      0;                        // mechanical_energy() before LIGGGHTS or the deck changes particles
-  double contacts_before_ = 0;  // contact_energy() at the end of the last run
+  double mechanical_before_ = 0;  // energy before LIGGGHTS or the deck changes particles [J]
+  double contacts_before_ = 0;    // contact_energy() at the end of the last run
 
   // Energy terms over all ranks [J], and whether they belong to the current step.
   double terms_[ENTRIES] = {};
