@@ -6,9 +6,9 @@ minimizes the sum of squares of the logarithm of this factor. Its 95 % interval 
 strength whose sum of squares exceeds the smallest one only by chance (profile likelihood). This
 needs no linearization. The interval has no upper end if the impacts are nearly elastic.
 
-The interval uses the larger of two scatters. The first is the stated scatter of one measurement,
-with a normal distribution. The second is the scatter of the n measurements about the law, with
-Student's t distribution with n - 1 degrees of freedom.
+The interval is the larger of two intervals. One uses the stated scatter of a measurement and a
+normal distribution. One uses the scatter of the n measurements about the law and Student's t
+distribution with n - 1 degrees of freedom.
 """
 
 from __future__ import annotations
