@@ -27,28 +27,39 @@ SLOPE = np.radians(float(_SHAPE["slope"]))
 SEGMENTS = 36
 
 
-def rings(orifice: float) -> np.ndarray:
+def rings(orifice: float, barrel: float, height: float, slope: float) -> np.ndarray:
     """Return diameter and height of the circles between which the surface is spanned (n, 2).
 
     LIGGGHTS joins neighboring triangles to one smooth surface if their angle is below a limit. This
     limit must be smaller than all corner angles of the triangles. To avoid slender triangles, the
     height of the rings grows with the radius of the cone.
     """
-    top = (BARREL - orifice) / 2 * np.tan(SLOPE)
-    cone = np.geomspace(orifice, BARREL, 1 + int(np.ceil(np.log(BARREL / orifice) / np.log(1.6))))
-    barrel = np.linspace(top, HEIGHT, 5)[1:]
-    heights = [*(cone - orifice) / 2 * np.tan(SLOPE), *barrel]
-    return np.column_stack([[*cone, *np.full(len(barrel), BARREL)], heights])
+    top = (barrel - orifice) / 2 * np.tan(slope)
+    cone = np.geomspace(orifice, barrel, 1 + int(np.ceil(np.log(barrel / orifice) / np.log(1.6))))
+    upright = np.linspace(top, height, 5)[1:]
+    heights = [*(cone - orifice) / 2 * np.tan(slope), *upright]
+    return np.column_stack([[*cone, *np.full(len(upright), barrel)], heights])
 
 
-def triangles(orifice: float) -> np.ndarray:
-    """Return the triangles of the surface (n, 3, 3). Its sections have the areas of circles."""
+def triangles(
+    orifice: float, barrel: float = BARREL, height: float = HEIGHT, slope: float = SLOPE
+) -> np.ndarray:
+    """Return the triangles of the surface (n, 3, 3). Its sections have the areas of circles.
+
+    Args:
+        orifice, barrel: Diameters of orifice and barrel.
+        height: Height of the top above the orifice.
+        slope: Angle of the cone from the horizontal [rad].
+    """
     angle = 2 * np.pi / SEGMENTS * np.arange(SEGMENTS + 1)
     radius = np.sqrt(2 * np.pi / SEGMENTS / np.sin(2 * np.pi / SEGMENTS)) / 2
     circle = radius * np.column_stack([np.cos(angle), np.sin(angle)])
     circle[-1] = circle[0]
     nodes = np.array(
-        [np.column_stack([d * circle, np.full(len(circle), z)]) for d, z in rings(orifice)]
+        [
+            np.column_stack([d * circle, np.full(len(circle), z)])
+            for d, z in rings(orifice, barrel, height, slope)
+        ]
     )
     a, b, c, d = nodes[:-1, :-1], nodes[:-1, 1:], nodes[1:, 1:], nodes[1:, :-1]
     faces = np.stack([np.stack([a, b, c], axis=2), np.stack([a, c, d], axis=2)], axis=2)

@@ -143,6 +143,9 @@ class BulkDeck:
             ValueError: A file is missing.
         """
 
+    def write_inputs(self, folder: Path) -> None:
+        """Write the files that a new run reads from its folder."""
+
     def analyse(self, series: pd.DataFrame) -> Analysis:
         """Analyse a run.
 

@@ -44,6 +44,7 @@ RUN_FILES = (
     "screen.txt",
     f"{SIGNAL_FILE}_*",
     DUMP,
+    "grains.data",
     SPECTRA,
     SERIES,
     CHECKS,

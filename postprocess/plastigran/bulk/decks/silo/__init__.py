@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Deck silo: discharge of a silo, a benchmark of Dosta et al. 2024."""
+
+from __future__ import annotations
+
+from math import pi, sqrt
+from pathlib import Path
+from typing import ClassVar
+
+import attrs
+import numpy as np
+import pandas as pd
+from scipy.stats import linregress
+
+from plastigran.bulk.checks import Check
+from plastigran.bulk.deck import Analysis, Brief, GranularDeck
+from plastigran.bulk.decks.silo.figure import silo_figure
+from plastigran.bulk.packing import random_packing, write_data
+from plastigran.declared import number, require, whole, word
+
+#: Radius of the barrel, and height of its top above the orifice [m]; inputs/meshes/make_silo.py.
+BARREL, TOP = 0.1, 0.3
+#: Radius of the orifice [m] by name.
+ORIFICES = {"large": 0.03, "small": 0.02}
+#: Depth below the orifice at which grains are deleted [m].
+FALL = 0.05
+#: Largest balance error / energy input.
+BALANCE = 1e-3
+#: Fraction of the grains below which the rate is not measured, because the surface is near the
+#: orifice.
+REST = 0.1
+#: Smallest number of rows for a rate.
+ROWS = 10
+
+
+@attrs.frozen(kw_only=True)
+class Silo(GranularDeck):
+    """Grains flow out of a barrel on a cone of 45 degrees."""
+
+    briefs: ClassVar = {
+        "": Brief(
+            {"grain_count": 300, "timestep": 3e-6, "duration": 0.12, "settling": 0.05}
+            | {"rows": 24, "checkpoints": 4, "volume_fraction": 0.3},
+            start={"duration": 0.03, "settling": 0.01},
+        )
+    }
+
+    orifice: str = word("orifice", tuple(ORIFICES))
+    grain_count: int = whole("number of grains", 1)
+    volume_fraction: float = number("volume fraction of the initial filling", "-", 0, 0.6)
+    duration: float = number("duration of the run", "s", 0)
+    settling: float = number("time before the rate is measured", "s", 0, lower_allowed=True)
+
+    def check(self) -> None:
+        """Check that the grains fit into the silo, and that settling ends before the run."""
+        require(self, "settling", upper=self.duration)
+        if self.filling_height > TOP:
+            raise ValueError(
+                f"grain_count is {self.grain_count}; the filling would be "
+                f"{self.filling_height:.3g} m high, and the silo is {TOP} m high. Lower grain_count"
+            )
+        GranularDeck.check(self)
+
+    @property
+    def filling_height(self) -> float:
+        """Height of the initial surface above the orifice [m]."""
+        volume = self.grain_count * 4 / 3 * pi * self.radius**3 / self.volume_fraction
+        opening = ORIFICES[self.orifice]
+        # In the cone, the radius is the height plus that of the orifice.
+        height = (3 * volume / pi + opening**3) ** (1 / 3) - opening
+        if height <= BARREL - opening:
+            return height
+        cone = pi / 3 * (BARREL**3 - opening**3)
+        return BARREL - opening + (volume - cone) / (pi * BARREL**2)
+
+    def write_inputs(self, folder: Path) -> None:
+        """Write the filling to `grains.data`."""
+        opening, height, count = ORIFICES[self.orifice], self.filling_height, self.grain_count
+        radii = np.full(count, self.radius)
+
+        def confine(places: np.ndarray, radii: np.ndarray) -> np.ndarray:
+            z = np.clip(places[:, 2], radii, height - radii)
+            across = np.hypot(places[:, 0], places[:, 1])
+            reach = np.minimum(BARREL - radii, opening + z - sqrt(2) * radii)
+            inward = np.minimum(1, reach / np.maximum(across, 1e-300))
+            return np.column_stack([places[:, :2] * inward[:, None], z])
+
+        def start(random: np.random.Generator) -> np.ndarray:
+            # Accept heights with a probability proportional to the area of the cross section.
+            z = random.uniform(0, height, 50 * count)
+            widths = np.minimum(BARREL, opening + z)
+            accepted = random.random(len(z)) < (widths / BARREL) ** 2
+            z, widths = z[accepted][:count], widths[accepted][:count]
+            distance = widths * np.sqrt(random.random(count))
+            angle = random.uniform(0, 2 * pi, count)
+            return np.column_stack([distance * np.cos(angle), distance * np.sin(angle), z])
+
+        side = BARREL + 4 * self.radius
+        write_data(
+            folder / "grains.data",
+            (-side, -side, -FALL),
+            (side, side, TOP + 4 * self.radius),
+            np.ones(count, int),
+            radii,
+            np.full(count, self.density),
+            random_packing(radii, start, confine, int(self.seed)),
+            2,
+        )
+
+    def ledger_limit(self, series: pd.DataFrame) -> float:
+        """Return the largest balance error as a fraction of the energy input [-]."""
+        return BALANCE
+
+    def rate(self, series: pd.DataFrame) -> float | None:
+        """Return the discharge rate [grains/s], or None if the run has too few rows.
+
+        Args:
+            series: Columns time [s] and held, the number of grains in the silo.
+        """
+        steady = series[
+            (series["time"] >= self.settling) & (series["held"] >= REST * self.grain_count)
+        ]
+        if len(steady) < ROWS:
+            return None
+        return -linregress(steady["time"], steady["held"]).slope
+
+    def analyse(self, series: pd.DataFrame) -> Analysis:
+        """Analyse the discharge; arguments as for `BulkDeck.analyse`."""
+        rate = self.rate(series)
+        missing = series["held"] + series["counted"] - self.grain_count
+        checks = [
+            Check(
+                "grains neither in the silo nor counted out",
+                missing.abs().max(),
+                0,
+                "grains can leave the silo only through the orifice",
+            ),
+            *self.ledger_checks(series),
+        ]
+        note = f"the discharge rate was not measured, because fewer than {ROWS} rows remain"
+        figures = {"silo": silo_figure(series, rate, self.settling), **self.ledger_figure(series)}
+        results = {} if rate is None else {"discharge rate, grains/s": rate}
+        return Analysis(series, checks, figures, [note] if rate is None else [], results)

@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Figure of the discharge of a silo."""
+
+from __future__ import annotations
+
+import pandas as pd
+from matplotlib.figure import Figure
+
+from plastigran.plot.style import COLOURS, styled, subplots
+
+
+def silo_figure(series: pd.DataFrame, rate: float | None, settling: float) -> Figure:
+    """Draw the number of grains in the silo over time, with the line of the discharge rate.
+
+    Args:
+        series: Columns time [s] and held.
+        rate: Discharge rate [grains/s], or None.
+        settling: Time from which the rate was measured [s].
+    """
+    with styled():
+        figure, axes = subplots(figsize=(5.4, 3.8))
+        axes.plot(series["time"], series["held"], color=COLOURS[0])
+        if rate is not None:
+            first = series[series["time"] >= settling].iloc[0]
+            line = first["held"] - rate * (series["time"] - first["time"])
+            shown = (series["time"] >= settling) & (line >= 0)
+            label = f"{rate:.3g} grains/s"
+            axes.plot(series["time"][shown], line[shown], "--", color=COLOURS[1], label=label)
+            axes.legend()
+        axes.set(xlabel="time (s)", ylabel="grains above the orifice")
+    return figure

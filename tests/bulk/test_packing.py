@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Random packings: no overlap, inside the container, reproducible."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from plastigran.bulk import packing
+from plastigran.bulk.packing import random_packing
+
+
+def in_cube(side):
+    """Return functions that start and confine spheres in a cube."""
+
+    def confine(places, radii):
+        return np.clip(places, radii[:, None], side - radii[:, None])
+
+    return (lambda random: random.uniform(0, side, (400, 3))), confine
+
+
+@pytest.mark.parametrize("spread", [0.0, 0.3])
+def test_spheres_do_not_overlap_and_are_inside(spread):
+    """At the volume fraction 0.53, between a loose gas and random close packing."""
+    radii = 1 + spread * np.linspace(-1, 1, 400)
+    side = (4 / 3 * np.pi * (radii**3).sum() / 0.53) ** (1 / 3)
+    places = random_packing(radii, *in_cube(side), seed=3)
+    first, second = np.triu_indices(400, 1)
+    gap = np.linalg.norm(places[first] - places[second], axis=1) - radii[first] - radii[second]
+    assert gap.min() > 0
+    outside = np.maximum(radii[:, None] - places, places + radii[:, None] - side)
+    assert outside.max() < 10 * packing.JITTER * 2  # the last random displacement
+    assert (random_packing(radii, *in_cube(side), seed=3) == places).all()
+    assert (random_packing(radii, *in_cube(side), seed=4) != places).any()
+
+
+def test_dense_packing_is_refused(monkeypatch):
+    monkeypatch.setattr(packing, "ROUNDS", 50)
+    with pytest.raises(ValueError, match=r"400 grains still overlap by .* Lower volume_fraction"):
+        random_packing(np.ones(400), *in_cube(12.5), seed=1)  # a volume fraction of 0.86
