@@ -16,12 +16,21 @@ def paper_names() -> list[str]:
     return sorted({module.name for module in iter_modules(__path__)} - {"base"})
 
 
-def find_paper(name: str) -> Paper:
+def find_paper(name: str, **options: object) -> Paper:
     """Return a paper by its short name.
 
+    Args:
+        name: Short name.
+        options: Options of a benchmark with cases; see `plastigran.papers.dosta24.paper`.
+
     Raises:
-        ValueError: No paper has this name.
+        ValueError: No paper has this name, or a paper without cases gets options.
     """
     if name not in paper_names():
         raise ValueError(f"no paper {name!r}. Available papers: {', '.join(paper_names())}")
-    return import_module(f"{__name__}.{name}").PAPER
+    module = import_module(f"{__name__}.{name}")
+    if hasattr(module, "paper"):
+        return module.paper(**options)
+    if options:
+        raise ValueError(f"{name} has no --{min(options)}. Remove --{min(options)}")
+    return module.PAPER

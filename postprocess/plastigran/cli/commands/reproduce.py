@@ -4,7 +4,9 @@
 from __future__ import annotations
 
 import argparse
+from pathlib import Path
 
+from plastigran.cli.arguments import positive_integer
 from plastigran.cli.reports import add_evidence_arguments, run_evidence
 from plastigran.papers import find_paper, paper_names
 
@@ -17,8 +19,27 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         "paper", choices=paper_names(), help="name of the paper; each has a page in docs/papers"
     )
     add_evidence_arguments(command, "results/PAPER", "docs/papers")
+    bulk = command.add_argument_group(
+        "bulk benchmarks", "Only for dosta24. An interrupted command continues its runs."
+    )
+    bulk.add_argument("--case", choices=("impact",), help="compute one case, default all")
+    bulk.add_argument("--grains", type=positive_integer, help="number of grains")
+    bulk.add_argument(
+        "--law",
+        nargs="+",
+        metavar="LAW",
+        help="contact laws, default hertz with the restitution of the benchmark, and thornton",
+    )
+    bulk.add_argument("--beds", type=positive_integer, help="number of beds with random grains")
+    bulk.add_argument("--ranks", type=positive_integer, help="number of MPI ranks, default 1")
 
 
 def run(arguments: argparse.Namespace) -> None:
-    paper = find_paper(arguments.paper)
+    names = ("case", "grains", "law", "beds", "ranks")
+    options = {name: value for name in names if (value := getattr(arguments, name)) is not None}
+    if options and arguments.docs:
+        raise ValueError(f"--docs needs complete results. Remove --{min(options)}")
+    if arguments.paper == "dosta24":
+        options["folder"] = arguments.output or Path("results") / "dosta24"
+    paper = find_paper(arguments.paper, **options)
     run_evidence(paper, f"{paper.citation}: {paper.title}", arguments)

@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Bulk benchmark of Dosta et al. 2024: cases that eight open codes have computed."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from plastigran.papers.base import Paper
+from plastigran.papers.dosta24 import impact
+from plastigran.report.base import Findings
+
+#: Modules of the cases by name. Each has `compute`, and names of its results with their functions.
+CASES = {"impact": impact}
+
+
+def paper(case: str | None = None, folder: Path | None = None, **options: object) -> Paper:
+    """Return the benchmark with the tables and figures of one case, or of all.
+
+    Args:
+        case: Name in `CASES`; all cases if not given.
+        folder: Folder of the bulk runs, by default results/dosta24. Unfinished runs in it continue.
+        options: Further arguments of `compute` in the modules of the cases.
+    """
+    folder = folder or Path("results") / "dosta24"
+    modules = [CASES[case]] if case else list(CASES.values())
+
+    def compute(progress: bool, coarse: bool) -> Findings:
+        tables, figures = {}, {}
+        for module in modules:
+            data = module.compute(progress, coarse, folder=folder, **options)
+            tables |= {name: table(data) for name, table in module.TABLES.items()}
+            figures |= {name: draw(data) for name, draw in module.FIGURES.items()}
+        return Findings(tables=tables, figures=figures)
+
+    return Paper(
+        name="dosta24",
+        title="bulk benchmark of eight open codes",
+        citation="M. Dosta et al., Comput. Phys. Commun. 296 (2024) 109066",
+        compute=compute,
+        tables=tuple(name for module in modules for name in module.TABLES),
+        figures=tuple(name for module in modules for name in module.FIGURES),
+    )

@@ -1,0 +1,199 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Case impact: a steel ball hits a bed of grains."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import attrs
+import numpy as np
+import pandas as pd
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from plastigran.bulk.continued import finish_bulk
+from plastigran.bulk.outcome import BulkRun
+from plastigran.papers.dosta24.contacts import CONTACTS
+from plastigran.papers.dosta24.published import eight_codes, reruns
+from plastigran.plot.style import COLOURS, styled, subplots
+
+#: Times at which the benchmark compares the displacement of the ball [s].
+TIMES = (0.03, 0.05, 0.1)
+#: Numbers of grains of the published beds.
+PUBLISHED_BEDS = (25000, 50000, 100000)
+#: Gravitational acceleration [m/s^2].
+GRAVITY = 9.81
+#: Numbers of beds by contacts and number of grains.
+BEDS = {25000: {"hertz": 2, "thornton": 1}}
+#: Settings of all runs. The ball flies freely before the end. The time step is twice that of the
+#: paper.
+FULL = {"timestep": 1e-6, "duration": 0.05, "rows": 100}
+#: Settings of a quick look.
+COARSE_GRAINS = 800
+COARSE = {"length": 0.02, "width": 0.015, "ball_radius": 0.003, "ball_height": 0.03}
+COARSE |= {"timestep": 1e-6, "duration": 0.012, "rows": 60, "checkpoints": 2}
+
+
+@attrs.frozen
+class Impact:
+    """Runs of the case.
+
+    Attributes:
+        runs: For each number of grains and label of `CONTACTS`, runs of several beds.
+        coarse: Whether these are runs of a small bed.
+    """
+
+    runs: dict[tuple[int, str], list[BulkRun]]
+    coarse: bool
+
+
+def compute(
+    progress: bool,
+    coarse: bool,
+    folder: Path,
+    grains: int | None = None,
+    law: Sequence[str] | None = None,
+    beds: int | None = None,
+    ranks: int = 1,
+) -> Impact:
+    """Run the beds, or continue their runs in `folder`.
+
+    Args:
+        progress: Whether to show a progress bar.
+        coarse: Whether to run one small bed for a short time.
+        folder: Folder of the runs.
+        grains: Number of grains; those of `BEDS` if not given.
+        law: Labels of `CONTACTS`, or names of laws; by default those of `BEDS`.
+        beds: Number of beds; by default those of `BEDS`.
+        ranks: Number of MPI ranks.
+    """
+    runs = {}
+    for count in [COARSE_GRAINS] if coarse else [grains] if grains else BEDS:
+        for label in law or BEDS.get(count, CONTACTS):
+            number = 1 if coarse else beds or BEDS.get(count, {}).get(label, 1)
+            settings = {"grain_count": count, **CONTACTS.get(label, {"law": label})}
+            runs[count, label] = [
+                finish_bulk(
+                    "ball_impact",
+                    settings | {"seed": seed} | (COARSE if coarse else FULL),
+                    folder / f"impact_{count}_{label}_{seed}",
+                    ranks,
+                    progress,
+                )
+                for seed in range(1, number + 1)
+            ]
+    return Impact(runs, coarse)
+
+
+def displacement_at(time: float, series: pd.DataFrame) -> float:
+    """Return the displacement of the ball [m].
+
+    After the end of a run, a ball flies freely if it still moves upward at `time`; otherwise, the
+    displacement is NaN.
+
+    Args:
+        time: Time [s].
+        series: Columns time [s], displacement [m], and velocity [m/s] if `time` is after the end.
+    """
+    last = series.iloc[-1]
+    later = time - last["time"]
+    if later <= 1e-12:
+        return float(np.interp(time, series["time"], series["displacement"]))
+    if last["velocity"] <= GRAVITY * later:
+        return np.nan
+    return last["displacement"] + last["velocity"] * later - GRAVITY * later**2 / 2
+
+
+def impact(data: Impact) -> pd.DataFrame:
+    """Return the displacement of the ball in mm at `TIMES`, and its largest depth.
+
+    A column of a law is the mean over our beds; "deviation" is the standard deviation of the mean.
+    The columns of the eight codes are the lowest and highest mean of a code. The last columns are
+    runs from the published bed.
+    """
+    codes = eight_codes().values()
+    rows = []
+    for count in dict.fromkeys(count for count, _ in data.runs):
+        for time in (*TIMES, "largest depth"):
+            row = {"grains": count, "time (ms)": time if time == "largest depth" else 1e3 * time}
+            for (number, label), runs in data.runs.items():
+                if number == count:
+                    ours = np.array([_of_series(run.series, time) for run in runs])
+                    row[label] = 1e3 * ours.mean()
+                    if len(ours) > 1:
+                        deviation = ours.std(ddof=1) / np.sqrt(len(ours))
+                        row[f"{label}, deviation"] = 1e3 * deviation
+            if count == 25000:
+                means = [_of_code(code, time) for code in codes]
+                row |= {"codes, lowest": 1e3 * min(means), "codes, highest": 1e3 * max(means)}
+            if count in PUBLISHED_BEDS:
+                for name, run in reruns(count).items():
+                    row[f"{name}, published bed"] = 1e3 * _of_series(run, time)
+            rows.append(row)
+    return pd.DataFrame(rows)
+
+
+def _of_series(series: pd.DataFrame, time: float | str) -> float:
+    if time == "largest depth":
+        return float(series["displacement"].min())
+    return displacement_at(time, series)
+
+
+def _of_code(code: pd.DataFrame, time: float | str) -> float:
+    return _of_series(code.rename(columns={"mean": "displacement"}), time)
+
+
+def energies(data: Impact) -> pd.DataFrame:
+    """Return where the energy of ball and bed is at the end, in per cent of the energy input."""
+    rows = []
+    for (count, label), runs in data.runs.items():
+        if runs[0].deck.ledger == "off":
+            continue
+        last = pd.DataFrame([run.series.iloc[-1] for run in runs]).mean()
+        terms = ("kinetic", "elastic", "plastic", "friction", "viscous")
+        total = sum(last[term] for term in terms)
+        shares = {f"{term}, %": 100 * last[term] / total for term in terms}
+        rows.append({"grains": count, "law": label, "energy input (J)": total, **shares})
+    return pd.DataFrame(rows)
+
+
+def impact_figure(data: Impact) -> Figure:
+    """Draw the displacement of the ball over time among the eight codes."""
+    counts = list(dict.fromkeys(count for count, _ in data.runs))
+    with styled():
+        figure, axes = subplots(1, len(counts), figsize=(4.6 * len(counts), 3.8), squeeze=False)
+        for axis, count in zip(axes[0], counts, strict=True):
+            _draw_published(axis, count)
+            for (number, label), runs in data.runs.items():
+                if number != count:
+                    continue
+                colour = COLOURS[list(dict.fromkeys(label for _, label in data.runs)).index(label)]
+                for run in runs:
+                    name = label if run is runs[0] else None
+                    series = run.series
+                    axis.plot(1e3 * series["time"], 1e3 * series["displacement"], color=colour,
+                              lw=1, label=name)  # fmt: skip
+            axis.set(title=f"{count} grains", xlabel="time (ms)")
+            axis.set_ylabel("displacement of the ball (mm)")
+            axis.legend(loc="best")
+    return figure
+
+
+def _draw_published(axis: Axes, count: int) -> None:
+    """Draw the eight codes as a band of mean and deviation, and the runs from the published bed."""
+    if count == 25000:
+        codes = eight_codes().values()
+        time = next(iter(codes))["time"]
+        lowest = np.min([code["mean"] - code["sd"] for code in codes], axis=0)
+        highest = np.max([code["mean"] + code["sd"] for code in codes], axis=0)
+        label = "eight codes, mean and deviation"
+        axis.fill_between(1e3 * time, 1e3 * lowest, 1e3 * highest, color="0.85", label=label)
+    if count in PUBLISHED_BEDS:
+        for (name, run), style in zip(reruns(count).items(), ("--", ":"), strict=True):
+            label = f"{name}, published bed"
+            axis.plot(1e3 * run["time"], 1e3 * run["displacement"], style, color="0.4", label=label)
+
+
+TABLES = {"impact": impact, "impact_energies": energies}
+FIGURES = {"impact": impact_figure}

@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Published results of the benchmark."""
+
+from __future__ import annotations
+
+from importlib.resources import files
+
+import pandas as pd
+
+#: Heights in the published data are counted from this height above the floor of the box [m].
+FLOOR = 0.0902431
+#: Height of the ball's center at the start, in the published coordinates [m].
+START = 0.06
+
+
+def _read(name: str) -> pd.DataFrame:
+    with (files("plastigran") / "data" / f"dosta24_{name}.csv").open() as file:
+        return pd.read_csv(file, comment="#")
+
+
+def eight_codes() -> dict[str, pd.DataFrame]:
+    """Return the displacement of the ball in beds of 25000 grains, by code.
+
+    Returns:
+        For each code, columns time [s], mean and sd [m] over its beds.
+    """
+    table = _read("impact_25k")
+    codes = [name.removesuffix("_mean") for name in table if name.endswith("_mean")]
+    return {
+        code: pd.DataFrame(
+            {
+                "time": table["time_s"],
+                "mean": table[f"{code}_mean"] - START,
+                "sd": table[f"{code}_sd"],
+            }
+        )
+        for code in codes
+    }
+
+
+def reruns(grains: int) -> dict[str, pd.DataFrame]:
+    """Return the displacement of the ball in the published bed of `grains` grains, by code.
+
+    Returns:
+        For LIGGGHTS and MUSEN, columns time [s] and displacement [m].
+    """
+    table = _read("impact_reruns")
+    return {
+        label: pd.DataFrame(
+            {
+                "time": table["time_s"],
+                "displacement": table[f"{grains // 1000}k_{code}"] - START,
+            }
+        )
+        for label, code in (("LIGGGHTS", "liggghts"), ("MUSEN", "musen"))
+    }
