@@ -83,7 +83,7 @@ def page_sentences(path: Path) -> Iterator[Sentence]:
     place = str(path.relative_to(PROJECT))
     page = path.read_text(encoding="utf-8")
     page = re.sub(r"\A---\n.*?\n---\n", "", page, flags=re.DOTALL)
-    page = re.sub(r"^(```+|~~~+).*?^\1", "", page, flags=re.DOTALL | re.MULTILINE)
+    page = re.sub(r"^ *(```+|~~~+).*?^ *\1", "", page, flags=re.DOTALL | re.MULTILINE)
     page = re.sub(r"\$\$.*?\$\$|<!--.*?-->", "", page, flags=re.DOTALL)
     paragraph: list[str] = []
     for line in [*page.splitlines(), ""]:

@@ -150,7 +150,7 @@ def restitution(computed: Computed) -> pd.DataFrame:
     ranges = [f"{values.min():.3f} to {values.max():.3f}" for values in by_nodes]
     table.insert(place + 1, "by nodes, range", ranges)
     in_paper = table["speed (m/s)"].map(PAPER_LAW_RESTITUTION)
-    table.insert(table.columns.get_loc(LAWS[0]), "paper's law in the paper", in_paper)
+    table.insert(table.columns.get_loc(LAWS[0]), "paper's law, as printed", in_paper)
     return table
 
 
