@@ -34,9 +34,9 @@ WORDS = {"coefficient_of_restitution": "restitution", "force_max": "force"}
 def _errors(
     compared: pd.DataFrame, rebounds: Mapping[str, pd.DataFrame]
 ) -> dict[tuple[str, str], pd.DataFrame]:
-    """Return columns law and error for each regime and quantity.
+    """Return a table with the columns law and error for each regime and quantity.
 
-    `rebounds` are the tables of `steel.rebounds` by the end of the name of their regimes.
+    `rebounds` contains tables of `steel.rebounds`. Its keys are endings of the names of regimes.
     """
     errors = {}
     for regime, (contact, lowest, highest) in SPHERE_REGIMES.items():
@@ -59,8 +59,8 @@ def by_regime(compared: pd.DataFrame, rebounds: pd.DataFrame, rated: pd.DataFram
         rebounds, rated: Tables of `steel.rebounds` without and with the strain rate.
 
     Returns:
-        A row for each regime and quantity. Each law has its root mean square error and its largest
-        error [%].
+        A row for each regime and quantity. The names of laws are followed by their root mean square
+        error and their largest error [%].
     """
     rows = []
     for (regime, word), errors in _errors(compared, {"": rebounds, RATED: rated}).items():
@@ -75,7 +75,8 @@ def by_regime(compared: pd.DataFrame, rebounds: pd.DataFrame, rated: pd.DataFram
 def by_law(compared: pd.DataFrame, rebounds: pd.DataFrame, word: str) -> pd.DataFrame:
     """Return the root mean square error of a quantity [%], laws as rows and regimes as columns.
 
-    The law with the smallest mean comes first. The row of `ON_FITTED_METALS` follows its law.
+    The law with the smallest mean error comes first. The row of `ON_FITTED_METALS` follows the row
+    of the fitted law.
 
     Args:
         compared, rebounds: As for `by_regime`.
@@ -106,5 +107,5 @@ def _cell(row: pd.Series) -> str:
 
 
 def _two_digits(error: float) -> float:
-    """Return an error with two digits; from ten, without decimals."""
+    """Return an error with two digits, or without decimals if it is at least ten."""
     return round(error) if error >= 10 else float(f"{error:.2g}")

@@ -4,8 +4,9 @@
     python -m plastigran.validation.dented_steel
 
 computes the impacts that are not in the cache, and writes the table
-`plastigran/data/finite_elements_leeb.csv`. The steel is perfectly plastic, with strength H/2.8.
-Small strain is accurate up to a/R = 0.1; here it is used beyond.
+`plastigran/data/finite_elements_leeb.csv`. The steel is perfectly plastic, with the yield strength
+hardness/2.8. The computation assumes small strain, which is accurate up to a/R = 0.1, but some
+impacts exceed this value.
 """
 
 from __future__ import annotations
@@ -42,7 +43,7 @@ TABLE = "finite_elements_leeb.csv"
 #: strain does not converge.
 HARDNESSES = (211, 304, 550, 940)
 #: Largest forces of the compressions, divided by the force of a rigid ball at constant pressure H.
-#: The impact is interpolated between them.
+#: The results for the impact are interpolated between these compressions.
 SHARES = (0.65, 0.85, 1.1)
 #: Settings of the mesh; a finer mesh increases restitution by 0.4 % at 550 HV.
 SETTINGS = Settings(divisions=4, fineness=0.7, growth=1.08, unloading_steps=10)
@@ -69,7 +70,7 @@ def computation(hardness: float) -> Callable[[], Pressing]:
         poissons_ratio=POISSONS_RATIO,
         hardening=LinearHardening(strength),
     )
-    # The force pi a^2 H over the depth a^2/2R does the work F^2/(4 pi R H).
+    # The force F = pi a^2 H does the work F^2/(4 pi R H) along the depth a^2/2R.
     pressure = float(indentation_pressure(hardness))
     guess = 2 * sqrt(pi * tester.ball_radius * pressure * _energy(tester))
     forces = tuple(share * guess for share in SHARES)
@@ -77,7 +78,7 @@ def computation(hardness: float) -> Callable[[], Pressing]:
 
 
 def row(hardness: float, pressing: Pressing) -> dict[str, float]:
-    """Return the impact of device D, interpolated between the unloadings."""
+    """Return the results for the impact of device D, interpolated between the unloadings."""
     tester, unloadings = TESTERS["D"], pressing.unloadings
     work = np.log(unloadings["work_loading"] / _energy(tester))
 
@@ -96,13 +97,13 @@ def row(hardness: float, pressing: Pressing) -> dict[str, float]:
 
 
 def comparison(law: str) -> pd.DataFrame:
-    """Compare restitution by finite elements with that of the tester's table and at small a/R.
+    """Compare restitutions by finite elements with the tester's table and with small a/R.
 
     Args:
         law: Name of a law to compare.
 
     Returns:
-        A row for each hardness of `table`; differences in per cent.
+        A row for each hardness of `table`, with differences in per cent.
     """
     impacts = table()
     measured, computed = impacts["HLD"] / 1000, impacts["restitution"]
@@ -124,10 +125,11 @@ def comparison(law: str) -> pd.DataFrame:
 
 
 def small_radius_restitution(ratios: np.ndarray) -> np.ndarray:
-    """Return the restitution of perfectly plastic spheres at small a/R, for some v/v_Y.
+    """Return the restitution of perfectly plastic spheres at small a/R for given v/v_Y.
 
-    The values are those of the softest metal of the table of spheres, with a/R below 0.025. Beyond
-    its range, the power law of its fastest impacts is continued.
+    The values are interpolated for the metal of the table of spheres with the lowest yield strength
+    / E*, whose a/R is below 0.025. For faster impacts, a power law through its fastest impacts is
+    extrapolated.
     """
     rows = spheres()
     rows = rows[contact_kinds(rows) == KINDS[0]].sort_values("speed_ratio")

@@ -15,15 +15,15 @@ from plastigran.validation import oblique
 
 #: Number of columns of panels.
 COLUMNS = 5
-#: Half the height of a panel of errors [%]; larger errors are drawn at its edge.
+#: Largest error that a panel shows [%]. Larger errors are drawn at its edge.
 REACH = 40
-#: Incident angles [degrees] of the theoretical lines.
+#: Incident angles of the theoretical curves [degrees].
 FINE_ANGLES = np.linspace(1, 86, 52)
 
 
 @styled({"font.size": 8})
 def spheres_figure(compared: pd.DataFrame, quantity: str) -> Figure:
-    """Draw the error over v/v_Y, a panel for each law.
+    """Draw the error versus v/v_Y, a panel for each law.
 
     Args:
         compared: Table of `laws_on_spheres.compare`.
@@ -51,7 +51,7 @@ def spheres_figure(compared: pd.DataFrame, quantity: str) -> Figure:
 
 @styled()
 def rebound_figure(rebounds: pd.DataFrame) -> Figure:
-    """Draw the restitution of steel over its Vickers hardness, and the error of each law.
+    """Draw the restitution of steel and the error of each law versus Vickers hardness.
 
     Args:
         rebounds: Table of `steel.rebounds`.
@@ -78,12 +78,12 @@ def rebound_figure(rebounds: pd.DataFrame) -> Figure:
 
 @styled()
 def budget_figure(parts: pd.DataFrame, law: str, mean: float) -> Figure:
-    """Draw the possible causes of the mean error of a law on the rebound hardness of steel.
+    """Draw possible causes of the mean error of a law for the rebound hardness of steel.
 
     Args:
         parts: Table of `offset.budget`.
         law: Name of the law.
-        mean: Its mean error [%].
+        mean: Mean error of the law [%].
     """
     figure, axes = subplots(figsize=(7.4, 4.4))
     places = np.arange(len(parts))[::-1]
@@ -123,7 +123,7 @@ def errors_figure(table: pd.DataFrame, head: str) -> Figure:
 
 @styled()
 def oblique_figure(computed: pd.DataFrame) -> Figure:
-    """Draw oblique impacts: measured, and computed by each method.
+    """Draw the measured quantities of oblique impacts, and the values computed by each method.
 
     Args:
         computed: Table of `oblique.computed`.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Errors of every law compared with finite elements of spheres, by kind and speed."""
+"""Errors of every law compared with finite elements of spheres, by kind of contact and speed."""
 
 from __future__ import annotations
 
@@ -24,17 +24,17 @@ QUANTITIES = ("coefficient_of_restitution", "force_max")
 
 
 def yielding_laws() -> list[str]:
-    """Return the names of the laws for spheres that yield."""
+    """Return the names of the laws for spheres with yield."""
     return [name for name in laws_for("sphere") if laws.LAWS[name].yields]
 
 
 def compare() -> pd.DataFrame:
-    """Compare every yielding law with each row of the table of spheres beyond yield.
+    """Compare every law with yield with the impacts beyond yield of the table of spheres.
 
     Returns:
         A row for each law and row of the table: law, metal, set, kind, speed_ratio and
-            `QUANTITIES`, each as law / finite elements - 1 [-]. The rows of `FITTED_LAW` for metals
-            of its fit have the law `ON_FITTED_METALS`.
+            `QUANTITIES`, given as law / finite elements - 1 [-]. The rows of `FITTED_LAW` for
+            metals of its fit have the law name `ON_FITTED_METALS`.
     """
     rows = table()
     rows = rows[rows["speed_ratio"] > 1].assign(kind=contact_kinds)
@@ -58,7 +58,7 @@ def compare() -> pd.DataFrame:
 
 
 def without_fitted_metals(compared: pd.DataFrame) -> pd.DataFrame:
-    """Return the rows of a comparison that no law was fitted to."""
+    """Return a comparison without the rows to which a law was fitted."""
     return compared[compared["law"] != ON_FITTED_METALS]
 
 
@@ -70,8 +70,8 @@ def errors(compared: pd.DataFrame) -> pd.DataFrame:
 
     Returns:
         Columns law, kind, speed_ratio_from and speed_ratio_to (the regime), quantity (one of
-        `QUANTITIES`), rms and max (relative errors [-]), and cases (their number). A regime without
-        cases has no row.
+        `QUANTITIES`), rms and max (relative errors [-]), and cases (number of impacts). A regime
+        without impacts has no row.
     """
     compared = compared.assign(
         regime=pd.cut(compared["speed_ratio"], REGIMES, labels=False),

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Oblique impacts of alumina on glass (Kharaz, Gorham & Salman 2001), by theory and by LIGGGHTS.
 
-They test friction and the tangential elasticity of the contact.
+The impacts test friction and the tangential elasticity of the contact.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ QUANTITIES = {
     "spin": ("spin (rad/s)", 10.0),
     "rebound_angle": ("rebound angle (°)", 1.0),
 }
-#: Theories.
+#: Names of the theories.
 PARTIAL_SLIP, SPRING = "partial slip", "spring and slider"
 #: Methods of computation in LIGGGHTS, and their tangential models.
 IN_LIGGGHTS = {f"LIGGGHTS, {model}": model for model in TANGENTIAL_MODELS}
@@ -47,15 +47,15 @@ def measured() -> pd.DataFrame:
 
 
 def case(angle: float) -> BenchmarkImpact:
-    """Return the impact at an angle from the normal [degrees] for the deck of benchmark 4.
+    """Return the impact of benchmark 4 at an angle from the normal [degrees].
 
-    That deck has alumina on a rigid plane.
+    The deck of this benchmark has alumina on a rigid plane.
     """
     return BenchmarkImpact("4_incident_angle", "aluminium_oxide", "incident_angle", angle)
 
 
 def impact(angle: float) -> ObliqueImpact:
-    """Return the impact at an angle [degrees] on glass."""
+    """Return the impact on glass at an angle from the normal [degrees]."""
     on_rigid_plane = case(angle)
     pair = laws.combine(on_rigid_plane.sphere.body(), GLASS)
     return attrs.evolve(on_rigid_plane.impact(), pair=pair)
@@ -75,7 +75,7 @@ def computed(engine: Iterable[float] | None = None) -> pd.DataFrame:
         engine: Incident angles [degrees] for LIGGGHTS; None for all.
 
     Returns:
-        As `measured`, with a column for each method; NaN at angles without a LIGGGHTS run.
+        Table of `measured` with a column for each method. Angles without a LIGGGHTS run have NaN.
 
     Raises:
         EngineError: LIGGGHTS stopped with an error.
@@ -97,9 +97,10 @@ def computed(engine: Iterable[float] | None = None) -> pd.DataFrame:
 
 
 def comparison(table: pd.DataFrame, name: str) -> pd.DataFrame:
-    """Return one of `QUANTITIES` over the incident angle: measured, computed, and difference.
+    """Return measured and computed values of one of `QUANTITIES` for each incident angle.
 
-    The difference is from partial slip, also given as tangential restitution.
+    The table also has the difference between measurement and partial slip, in the unit of the
+    quantity and as tangential restitution.
 
     Args:
         table: Table of `computed`.

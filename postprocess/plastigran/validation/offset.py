@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Possible causes of the mean error of a law on the rebound hardness of steel."""
+"""Possible causes of the mean error of a law for the rebound hardness of steel."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ from plastigran.validation import dented_steel
 from plastigran.validation.steel import rebound
 from plastigran.validation.tables import root_mean_square
 
-#: Constants of steel 4340 by Johnson & Cook, with the reference rate [1/s].
+#: Rate coefficient of steel 4340 by Johnson & Cook, and its reference rate [1/s].
 RATE = {"rate_coefficient": STEEL_RATE_COEFFICIENT, "reference_rate": 1.0}
-#: Further uncertainties of the testers and of steel.
-# Mass [kg] and speed [m/s] in makers' tables; ISO 16859 has 5.45 g and 2.05 m/s.
+# The next constants are further uncertainties of the testers and of steel.
+# Mass [kg] and speed [m/s] of device D in makers' tables. ISO 16859 states 5.45 g and 2.05 m/s.
 MASS, SPEED = 5.5e-3, 2.00
 BALL_MODULI = (600e9, 650e9)
 CONSTRAINT_FACTORS = (2.6, 3.0)
-CONVERSION_SCATTER = 0.1  # relative scatter of a conversion, in HV
+CONVERSION_SCATTER = 0.1  # relative scatter of the HV that is converted from HL
 SENSOR_HEIGHT = 1e-3
 
 
@@ -32,9 +32,9 @@ def budget(law: str) -> pd.DataFrame:
     """Return the change of a law's restitution [%] for each uncertainty.
 
     Returns:
-        A row for each uncertainty: source, change (from value to value), mean change of restitution
-        over the hardnesses of `leeb_table`, and the change at the softest and the hardest. For the
-        large a/R, the hardnesses are those of `dented_steel.table`.
+        A row for each uncertainty. Columns are its source, the changed value, the mean change of
+        restitution for the hardnesses of `leeb_table`, and the change at the smallest and largest
+        hardness. For the source "large a/R", the hardnesses are those of `dented_steel.table`.
     """
     usual = rebound(law)
     rows = []
@@ -49,7 +49,7 @@ def budget(law: str) -> pd.DataFrame:
 
 
 def _changes() -> Iterator[tuple[str, str, dict[str, object]]]:
-    """Yield source and change of each uncertainty, and the options of `rebound` that have it."""
+    """Yield source and changed value of each uncertainty, and the arguments for `rebound`."""
     device, ball = TESTERS["D"], TUNGSTEN_CARBIDE
     yield "strain rate", f"none → C = {RATE['rate_coefficient']:g}", RATE
     for factor in CONSTRAINT_FACTORS:
@@ -75,10 +75,11 @@ def _changes() -> Iterator[tuple[str, str, dict[str, object]]]:
 
 
 def with_rate(rebounds: pd.DataFrame, rated: pd.DataFrame) -> pd.DataFrame:
-    """Return the mean and rms error of every law [%], without and with the strain rate.
+    """Return the mean and rms error of every law [%], without and with rate dependence of steel.
 
     Args:
-        rebounds, rated: Tables of `steel.rebounds`, the second with `RATE`.
+        rebounds: Table of `steel.rebounds` without `RATE`.
+        rated: Table of `steel.rebounds` with `RATE`.
     """
     usual, moved = (
         (100 * table.set_index("law")["error"]).groupby("law") for table in (rebounds, rated)

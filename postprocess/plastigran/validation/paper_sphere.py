@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Every law compared with the finite elements that Zhang & Vu-Quoc (2002) print."""
+"""Every law compared with the finite-element results printed in Zhang & Vu-Quoc (2002)."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ QUANTITIES = {"force_max": "force", "coefficient_of_restitution": "restitution"}
 def compare() -> pd.DataFrame:
     """Return the error of every law [%] in peak force and restitution at the paper's speeds.
 
-    The law with the smallest sum comes first.
+    The law with the smallest sum of errors comes first.
     """
     material = read_material("aluminium_zv02")
     pair = laws.combine(material.body(), RIGID)

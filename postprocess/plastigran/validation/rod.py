@@ -26,11 +26,11 @@ def impacts(names: Iterable[str] | None = None) -> pd.DataFrame:
     """Return the restitution of the tip for each law.
 
     Args:
-        names: Names of laws; None for all that yield.
+        names: Names of laws; None for all laws with yield.
 
     Returns:
-        Columns law, angle [degrees], speed [m/s], restitution, angular_velocity [rad/s] and
-        measured, the restitution of the experiments, which does not depend on speed.
+        Columns law, angle [degrees], speed [m/s], restitution, angular_velocity [rad/s], and
+        measured: the restitution of the experiments, about the same at all speeds.
     """
     rows = []
     for name in yielding_laws() if names is None else names:
@@ -54,8 +54,8 @@ def impacts(names: Iterable[str] | None = None) -> pd.DataFrame:
 def summary(impacts: pd.DataFrame) -> pd.DataFrame:
     """Return the errors of each law [%].
 
-    They are the errors of restitution at either angle, and of the run whose velocities the paper
-    prints. The law with the smallest sum of the four comes first.
+    The four errors are: restitution at each of the two angles, and restitution and angular velocity
+    of the run whose velocities the paper prints. The law with the smallest sum comes first.
 
     Args:
         impacts: Table of `impacts`.

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Impacts on steel flats of known hardness: rebound testers, and a sphere of alumina.
 
-The strength of a flat is its flow stress from hardness, H/2.8 (`plastigran.calibration.hardness`).
-No other constant is fitted.
+The yield strength of a flat is its flow stress, hardness/2.8 (`plastigran.calibration.hardness`).
+No constant is fitted to the impacts.
 """
 
 from __future__ import annotations
@@ -19,16 +19,18 @@ from plastigran.physics.rebound_hardness import TESTERS, ReboundTester, dented_f
 from plastigran.validation.laws_on_spheres import yielding_laws
 from plastigran.validation.tables import nearest_first, root_mean_square
 
-#: Elastic constants of steel; its strength follows from hardness.
+#: Elastic constants of steel.
 YOUNGS_MODULUS, POISSONS_RATIO = 206e9, 0.3
-#: Readings of device D with 5 % uncertainty in restitution; for softer steel it is 8 to 10 %.
+#: Range of HLD in which the restitution has 5 % uncertainty. For softer steel, it is 8 to 10 %.
 TRUSTED = (450, 890)
-#: Single readings of other devices: device, reading, HV. 70 HRC is beyond the table of ASTM E140;
-#: it is taken as 1015 to 1080 HV, an uncertainty of 2.5 % in restitution.
+#: Single measurements with other devices: device, HL, HV. The second sample has 70 HRC, which the
+#: table of ASTM E140 does not contain. Its hardness is taken as 1015 to 1080 HV, which gives an
+#: uncertainty of 2.5 % in restitution.
 SINGLE_READINGS = (("G", 750, 675.0), ("C", 960, 1050.0))
 #: Approximate crater diameters of device D [m] by HV.
 CRATERS = {300.0: 0.54e-3, 800.0: 0.35e-3}
-#: Alumina spheres of 3 mm on flats at 10 m/s: restitution by HV, from the abstract of a paper.
+#: Alumina spheres of 3 mm diameter on flats at 10 m/s: restitution by HV, from the abstract of a
+#: paper.
 ALUMINA = laws.Body(380e9, 0.23)
 ALUMINA_DENSITY, ALUMINA_RADIUS, ALUMINA_SPEED = 3900.0, 1.5e-3, 10.0
 ALUMINA_RESTITUTION = {300.0: 0.63, 700.0: 0.86}
@@ -40,7 +42,7 @@ def steel(strength: float, **others: float) -> laws.Body:
 
 
 def speed_ratio(tester: ReboundTester, strength: float) -> float:
-    """Return v/v_Y of a tester on steel of a strength [Pa], by Hertz and von Mises."""
+    """Return v/v_Y of a tester on steel of a yield strength [Pa], by Hertz and von Mises."""
     pair = tester.pair(steel(strength))
     return tester.speed / yield_speed(pair, tester.ball_radius, tester.mass)
 
@@ -56,7 +58,7 @@ def rebound(
     Args:
         law: Name of the law.
         tester: Impact body.
-        strength_factor: Factor of the steel's strength.
+        strength_factor: Factor by which the yield strength is multiplied.
         steel_constants: Further constants of the steel.
     """
     strengths = strength_factor * flow_stress(leeb_table()["HV"])
@@ -71,7 +73,7 @@ def rebounds(**steel_constants: float) -> pd.DataFrame:
         steel_constants: As for `rebound`.
 
     Returns:
-        Columns HV, HLD, speed_ratio, law, restitution and error (relative to the table).
+        Columns HV, HLD, speed_ratio, law, restitution and error (law / table - 1).
     """
     table = leeb_table()
     ratios = [speed_ratio(TESTERS["D"], strength) for strength in flow_stress(table["HV"])]
@@ -110,7 +112,8 @@ def summary(rebounds: pd.DataFrame) -> pd.DataFrame:
 def single_impacts() -> pd.DataFrame:
     """Return the errors of restitution [%] of every law for the other devices and for alumina.
 
-    The head of a column contains the measured value. The law with the smallest sum comes first.
+    The head of a column contains the measured restitution. The law with the smallest sum of errors
+    comes first.
     """
     cases = [
         (f"Leeb {name}, {hardness:g} HV", reading / 1000, TESTERS[name], hardness)
@@ -146,7 +149,7 @@ def craters() -> pd.DataFrame:
 
 
 def contact_radius(law: str, strength: float) -> float:
-    """Return the largest contact radius [m] under device D on steel of a strength [Pa]."""
+    """Return the largest contact radius [m] of device D on steel of a yield strength [Pa]."""
     tester, sample = TESTERS["D"], steel(strength)
     overlap = tester.impact(law, sample).overlap_max
     contact_law = laws.LAWS[law](tester.pair(sample), **dented_flat(law))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Summary of the error of a law in one line, at the top of its page in docs/laws."""
+"""One-line summary of the errors of a law, at the top of its page in docs/laws."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import pandas as pd
 from plastigran.calibration.expected_errors import KINDS
 from plastigran.validation.laws_on_spheres import FITTED_LAW
 
-#: Upper bounds of the regimes of the line, in yield speeds.
+#: Upper bounds of the speed regimes in the summary, in yield speeds.
 UPPER_ENDS = (10, 100, 300, 1000)
 WORDS = {"coefficient_of_restitution": "restitution", "force_max": "force"}
 LINE = re.compile(r"^\| \*\*How far off\*\* \| .* \|$", re.MULTILINE)
@@ -47,7 +47,7 @@ def how_far_off(law: str, table: pd.DataFrame) -> str:
 
 
 def summarised(page: str, law: str, table: pd.DataFrame) -> str:
-    """Return the text of a law's page with its line from the table of errors.
+    """Return the text of a law's page with the summary computed from the table of errors.
 
     Raises:
         ValueError: The page lacks the line `| **How far off** | ... |`.
@@ -58,7 +58,7 @@ def summarised(page: str, law: str, table: pd.DataFrame) -> str:
 
 
 def write_summaries(folder: Path, table: pd.DataFrame) -> list[Path]:
-    """Write the line into the page of every law of the table of errors; return the pages.
+    """Write the summary into the page of every law of the table of errors; return the pages.
 
     Args:
         folder: Folder of the law pages.

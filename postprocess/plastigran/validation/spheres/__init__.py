@@ -1,25 +1,25 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Spheres of many metals on a rigid plane, loaded and unloaded by finite elements.
 
-`table()` reads `plastigran/data/finite_elements_spheres.csv`, a row for each largest force of each
-metal; `python -m plastigran.validation.spheres.compute` writes it. All quantities are
-dimensionless. "In yield units" means divided by the Hertzian value at first yield (force P_Y,
-overlap alpha_Y = a_Y^2/R, contact radius a_Y, work P_Y alpha_Y, speed v_Y with
-1/2 m v_Y^2 = 2/5 P_Y alpha_Y).
+`table()` reads `plastigran/data/finite_elements_spheres.csv`. The file has a row for each metal and
+largest force; `python -m plastigran.validation.spheres.compute` writes it. All quantities are
+dimensionless. "In yield units" means divided by the Hertzian value at first yield: force P_Y,
+overlap alpha_Y = a_Y^2/R, contact radius a_Y, work P_Y alpha_Y, and speed v_Y with
+1/2 m v_Y^2 = 2/5 P_Y alpha_Y.
 
     metal                        name, the same for all rows of a metal
-    set                          `fit` or `held`: metals held out of the fit of the law `universal`
+    set                          `fit`, or `held` if the metal is not in the fit of `universal`
     yield_strength_ratio         sigma_Y/E*, E* = E/(1 - nu^2)
     poissons_ratio               nu
-    hardening_ratio              H/E, H = d(stress)/d(plastic strain); 0: perfectly plastic
+    hardening_ratio              H/E, H = d(stress)/d(plastic strain); 0 if perfectly plastic
     strain                       `small` or `finite`: kinematics of the finite elements
     force_ratio                  largest force, in yield units
     speed_ratio                  v/v_Y of the impact that has this largest force:
                                  1/2 m v^2 = work_loading
     coefficient_of_restitution   sqrt(work_unloading/work_loading)
-    overlap_ratio                at the largest force, in yield units
-    overlap_res_ratio            after unloading, in yield units
-    contact_radius_ratio         at the largest force, in yield units
+    overlap_ratio                overlap at the largest force, in yield units
+    overlap_res_ratio            residual overlap after unloading, in yield units
+    contact_radius_ratio         contact radius at the largest force, in yield units
     work_loading_ratio           work up to the largest force / (P_Y alpha_Y)
     work_unloading_ratio         released energy / (P_Y alpha_Y)
     contact_radius_over_radius   a/R at the largest force

@@ -42,9 +42,9 @@ COMPARED = {
 
 
 def refined() -> pd.DataFrame:
-    """Return the change with finer settings [%]: mean and largest over the rows of a metal.
+    """Return the mean and largest change with finer settings [%] of the rows of each metal.
 
-    Rows begin at 3 P_Y and are compared at the same force.
+    Rows are compared at the same force, from 3 P_Y.
     """
     rows = []
     for name in REFINED:
@@ -64,7 +64,7 @@ def refined() -> pd.DataFrame:
 def dynamic() -> pd.DataFrame:
     """Return restitution and largest force (in yield units) of dynamic impacts.
 
-    Values of quasi-static compression are interpolated between the rows of the table.
+    For comparison, values of quasi-static compression are interpolated between rows of the table.
     """
     rows = []
     for name, speed in DYNAMIC:

@@ -3,8 +3,8 @@
 
     python -m plastigran.validation.spheres.compute [metal ...]
 
-Metals in the cache are not computed again; any other takes a minute or two. With names of metals,
-the table contains only these.
+Metals in the cache are not computed again; every other metal takes one or two minutes. If metals
+are named, the table contains only these.
 """
 
 from __future__ import annotations
@@ -24,13 +24,13 @@ from plastigran.validation.spheres import TABLE
 from plastigran.validation.spheres.metals import METALS, RADIUS, SphereMetal
 from plastigran.validation.spheres.release import press_and_release
 
-#: Settings with smaller force increments than the default, because backward Euler is of first
-#: order.
+#: Settings with smaller force increments than the default, because backward Euler has only
+#: first-order accuracy.
 SETTINGS = Settings(growth=1.04, unloading_steps=10)
 
 
 def compute(metal: SphereMetal, settings: Settings = SETTINGS) -> pd.DataFrame:
-    """Return the rows of one metal, from the cache if they are there."""
+    """Return the rows of one metal, from the cache if possible."""
     forces = tuple(float(force) for force in metal.forces)
     pressing = cached(press_and_release, metal.material, RADIUS, forces, settings=settings)
     if pressing.stopped:

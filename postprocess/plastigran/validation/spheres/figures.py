@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figures of the fit of the law `universal`: collapse of the metals, and errors."""
+"""Figures of the fit of the law `universal`: collapse of the metals on one curve, and errors."""
 
 from __future__ import annotations
 
@@ -27,10 +27,11 @@ def write(constants: Constants, rows: pd.DataFrame, folder: Path) -> list[Path]:
 
 @styled()
 def collapse_figure(constants: Constants, rows: pd.DataFrame) -> Figure:
-    """Draw force, contact radius and released energy over the depth S, compared with Hertz.
+    """Draw force, contact radius and released energy, relative to Hertz, versus the depth S.
 
-    The Hertz contact has the same overlap, or the same force and radius. Lines are the equations
-    for small a/R without hardening.
+    For force and contact radius, the Hertz contact has the same overlap. For the released energy,
+    it has the same force and contact radius. Lines are the equations of the law for small a/R
+    without hardening.
     """
     metals, t = Metals.of(rows), np.sqrt(rows["overlap_ratio"])
     s = depth(constants, metals, t.to_numpy())
@@ -66,7 +67,7 @@ def collapse_figure(constants: Constants, rows: pd.DataFrame) -> Figure:
 
 @styled()
 def errors_figure(constants: Constants, rows: pd.DataFrame) -> Figure:
-    """Draw the error of the law in force and restitution over speed."""
+    """Draw the errors of the law in force and restitution versus speed."""
     error = errors(constants, rows)
     figure, panels = subplots(1, 2, figsize=(9.4, 4.2), sharex=True)
     for axes, name in zip(panels, ("force", "restitution"), strict=True):
@@ -78,7 +79,7 @@ def errors_figure(constants: Constants, rows: pd.DataFrame) -> Figure:
 
 
 def _points(axes: Axes, rows: pd.DataFrame, x: np.ndarray, y: np.ndarray) -> None:
-    """Draw points by kind of contact; those of held-out metals are open."""
+    """Draw points by kind of contact. Points of held-out metals are open."""
     kinds, held_out = contact_kinds(rows), (rows["set"] == "held").to_numpy()
     for contact, colour, marker in zip(KINDS, COLOURS, "osD", strict=False):
         for is_open, face, ending in ((False, colour, ""), (True, "white", ", held out")):

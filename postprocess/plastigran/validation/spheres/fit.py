@@ -21,10 +21,11 @@ from scipy.optimize import least_squares
 from plastigran.validation.spheres import SPEED_RATIOS, contact_kinds, table
 from plastigran.validation.spheres.forms import Constants, Metals, errors, peak
 
-#: Weights of the fit: scales of the relative differences, close to the uncertainty of the finite
+#: Scales by which the fit divides the relative differences, close to the uncertainty of the finite
 #: elements.
 FORCE, CONTACT_RADIUS, WORK_UNLOADING, RECOVERY = 0.002, 0.006, 0.004, 0.008
-#: Smallest force / yield force at which enough elements are in contact to determine its radius.
+#: Smallest force / yield force of the fit. At smaller forces, too few elements are in contact to
+#: determine the contact radius.
 SMALLEST_FORCE = 8.0
 DIGITS = 4
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Equations of the law `universal` in yield units, with constants that the fit varies.
 
-The equations are those of `contact_models/plastigran/laws/universal.h`; docs/laws/universal.md
-gives their reasons.
+The equations are those of `contact_models/plastigran/laws/universal.h`. docs/laws/universal.md
+explains them.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ class Constants:
     Attributes:
         q_1: Strength: depth from which the pressure at yield has no effect.
         q_2: Strength: effect of hardening.
-        q_3: Strength: saturation of that effect.
+        q_3: Strength: saturation of the effect of hardening.
         f_1: Force far from yield: 1/f_1 F_Y t^2.
         f_2: Force near yield.
         f_3: Force near yield.
@@ -140,9 +140,9 @@ def unloading_work(g: np.ndarray) -> np.ndarray:
 
 
 def work_ratio(work_unloading, force, contact_radius):
-    """Return the released energy divided by that of a Hertz contact, 3 F^2/(10 E* a).
+    """Return the released energy / released energy of a Hertz contact, 3 F^2/(10 E* a).
 
-    The Hertz contact has the same force and contact radius; all in yield units.
+    The Hertz contact has the same force and contact radius. All arguments are in yield units.
     """
     return work_unloading * contact_radius / (0.4 * force**2)
 
@@ -150,7 +150,7 @@ def work_ratio(work_unloading, force, contact_radius):
 def first_loading_work(constants: Constants, metals: Metals, t: np.ndarray) -> np.ndarray:
     """Return the loading work / (F_Y overlap_Y) at each t of an increasing grid from 1 (n,).
 
-    Gauss quadrature between the points of the grid.
+    The function uses Gauss quadrature between the points of the grid.
     """
     steps = np.diff(t)
     at = t[:-1, None] + steps[:, None] * NODES
@@ -162,8 +162,8 @@ def errors(constants: Constants, table: pd.DataFrame) -> pd.DataFrame:
     """Return the errors of the law for the rows of the table, in per cent of the finite elements.
 
     Returns:
-        `force` and `restitution` of the impact with the same loading work, `contact_radius` and
-        `recovery` at the same overlap; one row for each row of the table.
+        One row for each row of the table. The errors `force` and `restitution` are for an impact
+        with the same loading work, `contact_radius` and `recovery` for the same overlap.
     """
     parts = []
     for _, rows in table.groupby("metal", sort=False):

@@ -29,7 +29,7 @@ class SphereMetal:
         yield_strength_ratio: sigma_Y/E*.
         poissons_ratio: nu.
         hardening_ratio: H/E.
-        held: Whether it is held out of the fit.
+        held: Whether the metal is held out of the fit.
         force_ratio_max: Largest force in yield units.
         strain: Kinematics, "small" or "finite".
         contact_radius_ratio_max: Largest a/R of the computation.
@@ -97,7 +97,7 @@ class SphereMetal:
 
     @property
     def forces(self) -> np.ndarray:
-        """Largest forces, N, up to `force_ratio_max` and `contact_radius_ratio_max`."""
+        """Forces from which the sphere is unloaded, N."""
         sphere = self.sphere
         forces = sphere.yield_force * np.array(FORCE_RATIOS)
         contact_radii = np.array([contact_reach(sphere, force) for force in forces])

@@ -34,9 +34,8 @@ def press_and_release(
     Arguments and errors are those of `press`.
 
     Returns:
-        Result of `press`, without snapshots. If an unloading found no equilibrium, only the earlier
-        ones
-        and the reason in `stopped`.
+        Result of `press`, without snapshots. If an unloading finds no equilibrium, the result
+        contains the earlier unloadings, and the reason in `stopped`.
     """
     settings = settings or Settings()
     sphere = HertzSphere(material, radius)
