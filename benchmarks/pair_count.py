@@ -8,6 +8,7 @@ particles. Counts are the same in every run of one binary, also on a busy machin
 contain the costs of memory access and of mispredicted branches.
 
     .venv/bin/python benchmarks/pair_count.py --law thornton universal
+    .venv/bin/python benchmarks/pair_count.py --law thornton --tangential history partial_slip
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ import argparse
 import re
 import shutil
 import subprocess
+from itertools import product
 from pathlib import Path
 
 import pandas as pd
@@ -32,6 +34,7 @@ from pair_time import (
 from rounds import start
 from tqdm import tqdm
 
+from plastigran import laws
 from plastigran.engine.contacts import read_contacts
 from plastigran.engine.process import PROJECT, EngineError, command, engine_path, environment
 
@@ -55,7 +58,7 @@ def contact_steps(bed: Path, shape: str) -> int:
     return len(contacts) + len(contacts.query("step == @STEPS"))
 
 
-def instructions(contender: str, bed: Path, shape: str) -> int:
+def instructions(contender: str, bed: Path, shape: str, tangential: str = "history") -> int:
     """Return the number of instructions of the pair forces in all steps.
 
     Raises:
@@ -64,7 +67,7 @@ def instructions(contender: str, bed: Path, shape: str) -> int:
     folder = WORK / "count"
     folder.mkdir(parents=True, exist_ok=True)
     out = folder / "callgrind.out"
-    variables = bed_variables(contender, "plastic", bed, STEPS, shape)
+    variables = bed_variables(contender, "plastic", bed, STEPS, shape) | {"tangential": tangential}
     tool = ["valgrind", "--tool=callgrind", "--trace-children=yes"]
     tool += [f"--callgrind-out-file={out}", *(f"--toggle-collect={name}" for name in COUNTED)]
     done = subprocess.run(
@@ -82,17 +85,24 @@ def instructions(contender: str, bed: Path, shape: str) -> int:
     return int(total[1])
 
 
-def count(names: list[str], shape: str) -> pd.DataFrame:
-    """Return instructions per contact and step, and their ratios, for each law of one shape."""
+def count(names: list[str], tangentials: list[str], shape: str) -> pd.DataFrame:
+    """Return instructions per contact and step, and ratios, for each law of one shape.
+
+    Args:
+        names: Names of the laws.
+        tangentials: Names of the tangential models.
+        shape: Shape of the bodies.
+    """
     bed = BEDS[shape].make(GRAINS)
     steps = contact_steps(bed, shape)
     reference = instructions(REFERENCE, bed, shape) / steps
-    rows = [(shape, REFERENCE, reference, 1.0, None, None)]
-    for name in tqdm(names, unit="law"):
-        alone = instructions(name, bed, shape) / steps
-        ledger = instructions(name + WITH_LEDGER, bed, shape) / steps
-        rows.append((shape, name, alone, alone / reference, ledger, ledger / alone))
-    columns = ["shape", "law", "pair_forces", "over_hertz", "with_ledger", "over_without"]
+    rows = [(shape, REFERENCE, "history", reference, 1.0, None, None)]
+    for name, tangential in tqdm(list(product(names, tangentials)), unit="law"):
+        alone = instructions(name, bed, shape, tangential) / steps
+        ledger = instructions(name + WITH_LEDGER, bed, shape, tangential) / steps
+        rows.append((shape, name, tangential, alone, alone / reference, ledger, ledger / alone))
+    columns = ["shape", "law", "tangential", "pair_forces", "over_hertz"]
+    columns += ["with_ledger", "over_without"]
     return pd.DataFrame(rows, columns=columns)
 
 
@@ -102,6 +112,10 @@ def main() -> None:
     parser.add_argument(
         "--law", nargs="+", choices=names, default=names, help="names of laws; default: all"
     )
+    models = ["history", *laws.TANGENTIAL_LAWS]
+    parser.add_argument(
+        "--tangential", nargs="+", choices=models, default=models[:1], help="default: history"
+    )
     options = parser.parse_args()
     engine_path()  # raises EngineError if LIGGGHTS is missing
     if not shutil.which("valgrind"):
@@ -110,7 +124,7 @@ def main() -> None:
     for shape in BEDS:
         named = [law for law in options.law if shape_of(law) == shape]
         if named:
-            tables.append(count(named, shape))
+            tables.append(count(named, options.tangential, shape))
     table = pd.concat(tables, ignore_index=True)
     RESULTS.parent.mkdir(parents=True, exist_ok=True)
     table.to_csv(RESULTS, index=False, float_format="%.4g")

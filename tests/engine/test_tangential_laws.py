@@ -6,6 +6,7 @@ from __future__ import annotations
 from math import cos, pi, radians, sin, sqrt
 from pathlib import Path
 
+import numpy as np
 import pandas as pd
 import pytest
 
@@ -144,3 +145,75 @@ def test_force_is_that_of_the_law(law, tmp_path):
         errors.append(abs(steps.force_y[step] + expected.force_y))
     assert len(errors) > 2000
     assert max(errors) < 1e-9 * largest
+
+
+#: Two spheres on given paths: they press, slide until the contact slips, and rotate as a rigid
+#: body about an axis between the normal and the direction of sliding.
+PAIR = """
+atom_style granular
+atom_modify map array
+boundary f f f
+newton off
+communicate single vel yes
+units si
+hard_particles yes
+region box block -0.02 0.02 -0.02 0.02 -0.02 0.02 units box
+create_box 1 box
+neighbor 0.001 bin
+fix E all property/global youngsModulus peratomtype 70e9
+fix nu all property/global poissonsRatio peratomtype 0.3
+fix mu all property/global coefficientFriction peratomtypepair 1 0.1
+fix Y all property/global yieldStrength peratomtype 1e8
+pair_style gran model thornton tangential {law}
+pair_coeff * *
+create_atoms 1 single 0 0 0
+create_atoms 1 single 0 0 0.00499
+set group all density 2650 diameter 0.005
+group moving id 2
+{report}
+fix first all move linear 0 0 0
+fix second moving move linear 0.3 0.1 0
+run 150
+unfix first
+unfix second
+fix motion all move rotate 0 0 0.0025 {axis} $({steps}*dt)
+run {steps}
+"""
+AXIS = (0.5, 0.3, 0.8)
+
+
+def pair_force(folder: Path, law: str, steps: int) -> tuple[np.ndarray, np.ndarray]:
+    """Return the tangential force [N] before and after a revolution of the pair in `steps`."""
+    report = "timestep 2e-8\n"
+    for end in (1, 2):
+        for quantity in ("x", "y", "z", "fx", "fy", "fz"):
+            report += f"variable {quantity}{end} equal {quantity}[{end}]\n"
+    names = " ".join(f"v_{q}{end}" for end in (1, 2) for q in ("x", "y", "z", "fx", "fy", "fz"))
+    report += f"thermo_style custom step {names}\nthermo_modify format float %.17g\nthermo 100000"
+    axis = " ".join(str(part) for part in AXIS)
+    (folder / "pair.in").write_text(PAIR.format(law=law, report=report, axis=axis, steps=steps))
+    run_deck(folder / "pair.in", {}, folder)
+    rows = read_thermo(folder / "log.liggghts").drop_duplicates("step", keep="last")
+    forces = []
+    for row in rows.iloc[-2:].itertuples():
+        normal = np.array([row.x1 - row.x2, row.y1 - row.y2, row.z1 - row.z2])
+        normal /= np.linalg.norm(normal)
+        force = np.array([row.fx1, row.fy1, row.fz1])
+        forces.append(force - (force @ normal) * normal)
+    return forces[0], forces[1]
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_rigid_rotation_of_a_pair_turns_its_force_with_second_order(law, tmp_path):
+    """The pair tumbles and spins about its normal; after a revolution, the force is as before.
+
+    1e-9: accepted change of the size. 0.5: accepted difference of the ratio of errors from four,
+    which is exact for small steps. Both were set before the first run.
+    """
+    errors = []
+    for steps in (500, 1000):
+        before, after = pair_force(tmp_path, law, steps)
+        assert np.linalg.norm(after) == pytest.approx(np.linalg.norm(before), rel=1e-9)
+        errors.append(np.linalg.norm(after - before) / np.linalg.norm(before))
+    assert errors[1] < 1e-4
+    assert errors[0] / errors[1] == pytest.approx(4, abs=0.5)

@@ -15,8 +15,8 @@ const std::array<CompanionKind, 4>& companion_kinds() {
 #define TANGENTIAL_MODEL(identifier, name, id) {#name, id},
 #include "style_tangential_model.h"
 #undef TANGENTIAL_MODEL
-           {Incremental::name, TangentialHistory<Incremental>::id},
-           {PartialSlip<4>::name, TangentialHistory<PartialSlip<4>>::id},
+           {Incremental::name, TANGENTIAL_INCREMENTAL},
+           {PartialSlip<4>::name, TANGENTIAL_PARTIAL_SLIP},
        }},
       {"cohesion",
        {

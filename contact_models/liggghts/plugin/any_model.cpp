@@ -19,10 +19,8 @@ template <>
 std::shared_ptr<TangentialModelBase> make_model(LAMMPS_NS::LAMMPS* engine, ContactSetup& setup,
                                                 ContactModelBase* contact_model) {
 #include "style_tangential_model.h"
-  if (setup.model(1) == TangentialHistory<Incremental>::id)
-    return std::make_shared<TangentialLawModel<Incremental>>(engine, setup, contact_model);
-  if (setup.model(1) == TangentialHistory<PartialSlip<4>>::id)
-    return std::make_shared<TangentialLawModel<PartialSlip<4>>>(engine, setup, contact_model);
+  MODEL(TangentialModel, 1, TANGENTIAL_INCREMENTAL, TANGENTIAL_INCREMENTAL)
+  MODEL(TangentialModel, 1, TANGENTIAL_PARTIAL_SLIP, TANGENTIAL_PARTIAL_SLIP)
   return std::make_shared<TangentialModel<TANGENTIAL_OFF>>(engine, &setup, contact_model);
 }
 

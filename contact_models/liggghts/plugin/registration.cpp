@@ -128,8 +128,8 @@ void add_all(const RegisteredLaw& law) {
 
 const bool registered = [] {
   ContactModels::Factory& factory = ContactModels::Factory::instance();
-  factory.addTangentialModel(Incremental::name, TangentialHistory<Incremental>::id);
-  factory.addTangentialModel(PartialSlip<4>::name, TangentialHistory<PartialSlip<4>>::id);
+  factory.addTangentialModel(Incremental::name, TANGENTIAL_INCREMENTAL);
+  factory.addTangentialModel(PartialSlip<4>::name, TANGENTIAL_PARTIAL_SLIP);
   for (const RegisteredLaw* law : laws) add_all(*law);
   return true;
 }();

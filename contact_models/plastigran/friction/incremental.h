@@ -12,6 +12,7 @@
 // restitution of an oblique elastic impact is up to 0.12 too high (docs/friction.md).
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 
 #include "plastigran/friction/tangential.h"
@@ -44,8 +45,9 @@ class Incremental {
     if (load.force > 0 && load.stiffness > 0) {
       const double scale = load.stiffness < state.stiffness ? load.stiffness / state.stiffness : 1;
       response.force = scale * before + load.stiffness * motion.displacement;
-      const double size = length(response.force), limit = friction_ * load.force;
-      if (size > limit) response.force = limit / size * response.force;
+      const double square = dot(response.force, response.force);
+      const double limit = friction_ * load.force;
+      if (square > limit * limit) response.force = limit / std::sqrt(square) * response.force;
       response.stored_energy = dot(response.force, response.force) / (2 * load.stiffness);
       state = {motion.normal, load.stiffness, response.force};
     } else {

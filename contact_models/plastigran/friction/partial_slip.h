@@ -42,84 +42,148 @@ class PartialSlip {
   static constexpr const char* range = "exact for elastic spheres with many rings";
   static constexpr int most_rings = capacity, default_rings = 4;
 
-  // Forces are cubes of their roots p = F^(1/3), so that h = c p^2.
+  // Forces are cubes of their roots p = F^(1/3), so that h = c p^2. The share is a vector in the
+  // frame of the contact.
   struct Ring {
-    double edge = 0;  // p at the outer edge; 0 where there is no ring
-    Vector3 share;    // D
+    double edge;  // p at the outer edge; 0 where there is no ring
+    double x, y;  // D
   };
+  // The frame has the axes x, normal cross x, and normal. It turns with the contact plane, so the
+  // shares do not change when the contact turns.
   struct State {
-    Vector3 normal;
-    double compliance = 0;  // c
-    Ring rings[capacity];   // from the middle outward
+    Vector3 normal, x_axis;
+    double compliance = 0;      // c
+    Ring rings[capacity] = {};  // from the middle outward
   };
-  PLASTIGRAN_DEVICE static std::size_t state_size(int rings) { return 4 + 4 * std::size_t(rings); }
+  PLASTIGRAN_DEVICE static std::size_t state_size(int rings) { return 7 + 3 * std::size_t(rings); }
 
   explicit PartialSlip(double coefficient_of_friction = 0, int rings = default_rings)
       : friction_(coefficient_of_friction), kept_(rings) {}
 
   PLASTIGRAN_DEVICE TangentialResponse respond(const NormalLoad& load,
                                                const TangentialMotion& motion, State& state) const {
-    Diagram rings;
-    const FrameRotation rotate(state.normal, motion);
-    for (; rings.count < kept_ && state.rings[rings.count].edge > 0; ++rings.count) {
-      const Ring& old = state.rings[rings.count];
-      rings.ring[rings.count] = {old.edge, rotate(old.share)};
-    }
+    if (!(load.force > 0 && load.stiffness > 0)) return end(motion, state);
+    Diagram rings = rings_of(state);
+    const int count_before = rings.count;
+    const Frame frame(state, motion);
+    const Plane along = frame.in_plane(motion.displacement);
+    const double edge = cube_root(load.force, rings.edge(rings.count - 1));
     const Sum before = rings.sum();
+    const double compliance = rings.follow(state.compliance, 1.5 * edge / load.stiffness);
+    if (friction_ > 0) move(rings, edge, 1 / compliance * along);
+    const Sum after = rings.sum();
     TangentialResponse response;
-    double compliance = 0;
-    if (load.force > 0 && load.stiffness > 0) {
-      const double edge = std::cbrt(load.force);
-      compliance = rings.follow(state.compliance, 1.5 * edge / load.stiffness);
-      if (friction_ > 0) move(rings, edge, 1 / compliance * motion.displacement);
-      const Sum after = rings.sum();
-      response.force = after.force;
-      response.stored_energy = compliance * after.energy;
-      state.normal = motion.normal;
-    } else {
-      rings.count = 0;
-      state.normal = Vector3();
-    }
-    response.friction_work = 0.5 * dot(before.force + response.force, motion.displacement) -
+    response.force = frame.in_space(after.force);
+    response.stored_energy = compliance * after.energy;
+    response.friction_work = 0.5 * dot(before.force + after.force, along) -
                              (response.stored_energy - state.compliance * before.energy);
+    state.normal = motion.normal;
+    state.x_axis = frame.x;
     state.compliance = compliance;
-    for (int k = 0; k < kept_; ++k) state.rings[k] = k < rings.count ? rings.ring[k] : Ring();
+    for (int k = rings.count; k < count_before; ++k) state.rings[k] = Ring();
     return response;
   }
 
  private:
-  // T and U/c of some rings.
-  struct Sum {
-    Vector3 force;
-    double energy = 0;
+  // Vector in the frame of the contact.
+  struct Plane {
+    double x = 0, y = 0;
+    friend PLASTIGRAN_DEVICE Plane operator+(Plane a, Plane b) { return {a.x + b.x, a.y + b.y}; }
+    friend PLASTIGRAN_DEVICE Plane operator-(Plane a, Plane b) { return {a.x - b.x, a.y - b.y}; }
+    friend PLASTIGRAN_DEVICE Plane operator*(double f, Plane a) { return {f * a.x, f * a.y}; }
+    friend PLASTIGRAN_DEVICE double dot(Plane a, Plane b) { return a.x * b.x + a.y * b.y; }
+  };
 
-    PLASTIGRAN_DEVICE void add(double inner, const Ring& ring) {
-      const double outer = ring.edge, inner_2 = inner * inner, outer_2 = outer * outer;
-      const double inner_3 = inner_2 * inner, outer_3 = outer_2 * outer;
-      const double width = outer_2 - inner_2;
-      energy += dot(force, ring.share) * width +
-                dot(ring.share, ring.share) *
-                    (0.4 * (outer_3 * outer_2 - inner_3 * inner_2) - inner_3 * width);
-      force = force + (outer_3 - inner_3) * ring.share;
+  // Axes of the contact plane at the end of a step.
+  struct Frame {
+    Vector3 x, y;
+
+    PLASTIGRAN_DEVICE Frame(const State& state, const TangentialMotion& motion)
+        : x(turned(state, motion)), y(cross(motion.normal, x)) {}
+
+    PLASTIGRAN_DEVICE Plane in_plane(const Vector3& a) const { return {dot(a, x), dot(a, y)}; }
+    PLASTIGRAN_DEVICE Vector3 in_space(Plane a) const { return a.x * x + a.y * y; }
+
+    // Before first touch, x is any direction of the plane.
+    PLASTIGRAN_DEVICE static Vector3 turned(const State& state, const TangentialMotion& motion) {
+      if (state.compliance == 0) {
+        const Vector3& n = motion.normal;
+        const Vector3 any = std::abs(n.x) < 0.6 ? Vector3{1, 0, 0} : Vector3{0, 1, 0};
+        const Vector3 axis = any - dot(any, n) * n;
+        return 1 / length(axis) * axis;
+      }
+      // The factor removes the round-off of many rotations.
+      const double factor = 1.5 - 0.5 * dot(state.x_axis, state.x_axis);
+      return factor * FrameRotation(state.normal, motion)(state.x_axis);
     }
   };
 
-  // The rings of a contact during a step, with room for those that the step adds.
+  // The contact ends in this step, and its stored energy is lost.
+  PLASTIGRAN_DEVICE TangentialResponse end(const TangentialMotion& motion, State& state) const {
+    TangentialResponse response;
+    if (state.compliance > 0) {
+      const Sum before = rings_of(state).sum();
+      response.friction_work =
+          0.5 * dot(before.force, Frame(state, motion).in_plane(motion.displacement)) +
+          state.compliance * before.energy;
+      state = State();
+    }
+    return response;
+  }
+
+  PLASTIGRAN_DEVICE static Plane share(const Ring& ring) { return {ring.x, ring.y}; }
+  PLASTIGRAN_DEVICE static double cube(double p) { return p * p * p; }
+
+  // F^(1/3), by the series about a force `near`^3 where this is exact to round-off. A step of
+  // Halley's method brings `near` there.
+  PLASTIGRAN_DEVICE static double cube_root(double force, double near) {
+    double x = near > 0 ? force / cube(near) - 1 : 1;
+    if (std::abs(x) > 1.0 / 64) {
+      if (std::abs(x) > 0.5) return std::cbrt(force);
+      near *= (3 + 2 * x) / (3 + x);
+      x = force / cube(near) - 1;
+    }
+    constexpr double a1 = 1.0 / 3, a2 = -1.0 / 9, a3 = 5.0 / 81, a4 = -10.0 / 243, a5 = 22.0 / 729,
+                     a6 = -154.0 / 6561, a7 = 374.0 / 19683;
+    // In pairs, because a processor computes several products at a time.
+    const double x2 = x * x, low = a1 + a2 * x, high = a3 + a4 * x, highest = a5 + a6 * x;
+    return near + near * (x * (low + x2 * (high + x2 * (highest + x2 * a7))));
+  }
+
+  // T and U/c of some rings, from the middle outward.
+  struct Sum {
+    Plane force;
+    double energy = 0;
+    double square = 0, cube = 0;  // p^2 and p^3 at the outer edge
+
+    PLASTIGRAN_DEVICE void add(const Ring& ring) {
+      const Plane d = share(ring);
+      const double outer_2 = ring.edge * ring.edge, outer_3 = outer_2 * ring.edge;
+      const double width = outer_2 - square;
+      energy += dot(force, d) * width +
+                dot(d, d) * (0.4 * (outer_3 * outer_2 - cube * square) - cube * width);
+      force = force + (outer_3 - cube) * d;
+      square = outer_2, cube = outer_3;
+    }
+  };
+
+  // The rings of a contact.
   struct Diagram {
-    Ring ring[capacity + 2];
-    int count = 0;
+    Ring* ring;
+    int count;
 
     PLASTIGRAN_DEVICE double edge(int k) const { return k < 0 ? 0 : ring[k].edge; }
     PLASTIGRAN_DEVICE double square(int k) const { return edge(k) * edge(k); }
 
-    PLASTIGRAN_DEVICE Sum sum() const {
+    PLASTIGRAN_DEVICE Sum sum(int first_left_out) const {
       Sum sum;
-      for (int k = 0; k < count; ++k) sum.add(edge(k - 1), ring[k]);
+      for (int k = 0; k < first_left_out; ++k) sum.add(ring[k]);
       return sum;
     }
+    PLASTIGRAN_DEVICE Sum sum() const { return sum(count); }
 
     PLASTIGRAN_DEVICE void scale(double factor) {
-      for (int k = 0; k < count; ++k) ring[k].share = factor * ring[k].share;
+      for (int k = 0; k < count; ++k) ring[k].x *= factor, ring[k].y *= factor;
     }
 
     // The compliance c of this step, and the rings at it. The stored energy is proportional to c.
@@ -135,12 +199,12 @@ class PartialSlip {
     }
 
     // Removes the rings above `top` and returns their displacement over c.
-    PLASTIGRAN_DEVICE Vector3 cut(double top) {
-      Vector3 held;
+    PLASTIGRAN_DEVICE Plane cut(double top) {
+      Plane held;
       while (count > 0 && edge(count - 1) > top) {
         Ring& last = ring[count - 1];
         const double inner = edge(count - 2), bottom = inner > top ? inner : top;
-        held = held + (last.edge * last.edge - bottom * bottom) * last.share;
+        held = held + (last.edge * last.edge - bottom * bottom) * share(last);
         if (inner >= top)
           --count;
         else
@@ -149,89 +213,126 @@ class PartialSlip {
       return held;
     }
 
-    // Merges rings k and k + 1. The force remains.
+    // Change of the energy when rings k and k + 1 merge and keep their force.
+    PLASTIGRAN_DEVICE double rise(int k) const {
+      const Sum below = sum(k);
+      Sum apart = below, merged = below;
+      apart.add(ring[k]);
+      apart.add(ring[k + 1]);
+      merged.add(merger(k));
+      return merged.energy - apart.energy;
+    }
+
+    // Rings k and k + 1 as one. The force remains.
     PLASTIGRAN_DEVICE Ring merger(int k) const {
-      const double inner = edge(k - 1), middle = edge(k), outer = edge(k + 1);
-      const double start = inner * inner * inner, cube = middle * middle * middle;
-      const double weight = (cube - start) / (outer * outer * outer - start);
-      return {outer, ring[k + 1].share + weight * (ring[k].share - ring[k + 1].share)};
+      const double start = cube(edge(k - 1)), middle = cube(edge(k)), end = cube(edge(k + 1));
+      const double weight = (middle - start) / (end - start);
+      const Ring &inner = ring[k], &outer = ring[k + 1];
+      return {outer.edge, outer.x + weight * (inner.x - outer.x),
+              outer.y + weight * (inner.y - outer.y)};
+    }
+
+    // Square of the change of the displacement when rings k and k + 1 merge: the difference of the
+    // shares times the width of both rings. A smaller measure for thin rings would let the outer
+    // ring absorb all thin ones, at any small step.
+    PLASTIGRAN_DEVICE double change(int k) const {
+      const Plane difference = share(ring[k + 1]) - share(ring[k]);
+      const double width = square(k + 1) - square(k - 1);
+      return dot(difference, difference) * (width * width);
     }
 
     // Merges the pair whose displacement changes least, among those whose merger raises the energy
     // by at most 1/1000. If there is none, merges the pair that raises the energy least. Where the
     // energy rises, all shares fall until it is as before, by a small slip.
-    //
-    // The measure is the difference of the shares times the width of both rings. A smaller measure
-    // for thin rings would let the outer ring absorb all thin ones, at any small step.
     PLASTIGRAN_DEVICE void merge_one() {
-      const double energy = sum().energy, admissible = 1e-3 * energy;
       int best = 0;
-      double least = 0, rise = 0;
-      Sum below;
-      for (int k = 0; k + 1 < count; ++k) {
-        Sum apart = below, merged = below;
-        apart.add(edge(k - 1), ring[k]);
-        const Sum next = apart;
-        apart.add(edge(k), ring[k + 1]);
-        merged.add(edge(k - 1), merger(k));
-        const double raised = merged.energy - apart.energy;
-        const double change =
-            length(ring[k + 1].share - ring[k].share) * (square(k + 1) - square(k - 1));
-        const bool admits = raised <= admissible;
-        if (k == 0 || (admits ? rise > admissible || change < least : raised < rise)) {
-          best = k;
-          least = change;
-          rise = raised;
-        }
-        below = next;
+      double least = change(0);
+      for (int k = 1; k + 1 < count; ++k) {
+        const double next = change(k);
+        if (next < least) best = k, least = next;
+      }
+      double raised = rise(best);
+      if (raised > 0) {
+        const double energy = sum().energy, admissible = 1e-3 * energy;
+        if (raised > admissible) best = admissible_pair(admissible, raised);
+        if (raised > 0) scale(std::sqrt(energy / (energy + raised)));
       }
       ring[best] = merger(best);
       for (int k = best + 1; k + 1 < count; ++k) ring[k] = ring[k + 1];
       --count;
-      if (rise > 0) scale(std::sqrt(energy / (energy + rise)));
+    }
+
+    // Returns the pair that merge_one() merges, and what it raises the energy by.
+    PLASTIGRAN_DEVICE int admissible_pair(double admissible, double& raised) const {
+      int best = 0;
+      double least = change(0);
+      raised = rise(0);
+      for (int k = 1; k + 1 < count; ++k) {
+        const double next = change(k), next_rise = rise(k);
+        const bool better = next_rise <= admissible ? raised > admissible || next < least
+                                                    : next_rise < raised;
+        if (better) best = k, least = next, raised = next_rise;
+      }
+      return best;
     }
   };
 
   // Moves the contact to the force edge^3, and by `wanted` c along the surface.
-  PLASTIGRAN_DEVICE void move(Diagram& rings, double edge, Vector3 wanted) const {
-    const double top = rings.edge(rings.count - 1);
-    if (edge > top) {
-      const double width = edge * edge - top * top, size = length(wanted);
-      const double most = friction_ * width;
-      const double taken = size > most ? most / size : 1;
-      rings.ring[rings.count++] = {edge, taken / width * wanted};
-      wanted = size > most ? (1 - taken) * wanted : Vector3();
-    } else {
-      wanted = wanted + rings.cut(edge);
+  PLASTIGRAN_DEVICE void move(Diagram& rings, double edge, Plane wanted) const {
+    if (edge < rings.edge(rings.count - 1)) wanted = wanted + rings.cut(edge);
+    // A ring takes a displacement of at most mu times its width.
+    const double limit = friction_ * friction_, square = edge * edge;
+    double width = square - rings.square(rings.count - 1);  // of the ring that loading adds
+    double excess = dot(wanted, wanted) - limit * (width * width);
+    if (!(excess > 0)) {
+      if (width > 0) add(rings, edge, 1 / width * wanted);
+      return;
     }
-    if (dot(wanted, wanted) > 0) slip(rings, wanted);
-    while (rings.count > kept_) rings.merge_one();
-  }
-
-  // Gives the rings above a force the share mu n, so that they take the displacement `wanted` c.
-  PLASTIGRAN_DEVICE void slip(Diagram& rings, Vector3 wanted) const {
-    const double edge = rings.edge(rings.count - 1), square = edge * edge;
-    const double limit = friction_ * friction_;
+    // Slip: the rings above a force, together with the new one, get one share mu n. The loop
+    // includes one ring after the other.
     while (rings.count > 0) {
-      // Within the ring, at the depth t in p^2: |wanted + D t| = mu (above + t).
       Ring& last = rings.ring[rings.count - 1];
-      const double top = last.edge * last.edge, inner = rings.square(rings.count - 2);
-      const double above = square - top;
-      const double a = dot(last.share, last.share) - limit;
-      const double b = dot(wanted, last.share) - limit * above;
-      const double c = dot(wanted, wanted) - limit * above * above;
-      if (c <= 0) break;
-      const double root = b * b - a * c, divisor = std::sqrt(root > 0 ? root : 0) - b;
-      const double bottom = divisor * (top - inner) > c ? top - c / divisor : inner;
-      wanted = wanted + (top - bottom) * last.share;
-      if (bottom > inner) {
-        last.edge = std::sqrt(bottom);
-        break;
+      const Plane d = share(last);
+      const double outer = rings.square(rings.count - 1);
+      const double thickness = outer - rings.square(rings.count - 2);
+      const Plane whole = wanted + thickness * d;
+      const double wider = width + thickness;
+      const double remaining = dot(whole, whole) - limit * (wider * wider);
+      if (remaining <= 0) {
+        // The slip ends at a depth t in the ring: |wanted + D t| = mu (width + t).
+        const double a = dot(d, d) - limit, b = dot(wanted, d) - limit * width;
+        const double root = b * b - a * excess;
+        const double depth = excess / (std::sqrt(root > 0 ? root : 0) - b);
+        if (depth < thickness) {
+          last.edge = std::sqrt(outer - depth);
+          return add(rings, edge, 1 / (width + depth) * (wanted + depth * d));
+        }
       }
       --rings.count;
+      wanted = whole, width = wider, excess = remaining;
+      if (remaining <= 0) break;
     }
-    const double size = length(wanted);
-    rings.ring[rings.count++] = {edge, friction_ / size * wanted};
+    add(rings, edge, friction_ / std::sqrt(dot(wanted, wanted)) * wanted);
+  }
+
+  // Adds a ring. If there is no room for it, two rings merge.
+  PLASTIGRAN_DEVICE void add(Diagram& rings, double edge, Plane share) const {
+    const Ring outer{edge, share.x, share.y};
+    if (rings.count < kept_) {
+      rings.ring[rings.count++] = outer;
+      return;
+    }
+    Ring room[capacity + 1];
+    for (int k = 0; k < kept_; ++k) room[k] = rings.ring[k];
+    room[kept_] = outer;
+    Diagram{room, kept_ + 1}.merge_one();
+    for (int k = 0; k < kept_; ++k) rings.ring[k] = room[k];
+  }
+
+  PLASTIGRAN_DEVICE Diagram rings_of(State& state) const {
+    Diagram rings{state.rings, 0};
+    while (rings.count < kept_ && state.rings[rings.count].edge > 0) ++rings.count;
+    return rings;
   }
 
   double friction_;  // mu

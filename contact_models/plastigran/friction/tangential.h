@@ -71,23 +71,31 @@ class FrameRotation {
  public:
   // `before` is zero before first touch.
   PLASTIGRAN_DEVICE FrameRotation(const Vector3& before, const TangentialMotion& motion)
-      : normal_(motion.normal), turn_(cross(before, motion.normal)), spin_(motion.spin) {
-    const double cosine = dot(before, motion.normal);
-    rest_ = cosine > -0.5 ? 1 / (1 + cosine) : 0;
-    if (spin_ != 0) sine_ = std::sin(spin_), cosine_ = std::cos(spin_);
+      : normal_(motion.normal), sum_(before + motion.normal), spin_(motion.spin) {
+    const double divisor = 1 + dot(before, motion.normal);
+    factor_ = 1 / (divisor > 0.5 ? divisor : 0.5);
   }
 
-  // Returns a vector of the old plane, rotated to the new plane.
+  // Returns a vector of the old plane, rotated to the new plane. Round-off does not accumulate,
+  // because the result is perpendicular to the new normal, even if `old` was not exactly in the old
+  // plane.
   PLASTIGRAN_DEVICE Vector3 operator()(const Vector3& old) const {
-    const Vector3 turned = cross(turn_, old);
-    Vector3 vector = old + turned + rest_ * cross(turn_, turned);
-    if (spin_ != 0) vector = cosine_ * vector + sine_ * cross(normal_, vector);
-    return vector - dot(vector, normal_) * normal_;  // removes the round-off of many rotations
+    const Vector3 tilted = old - factor_ * dot(old, normal_) * sum_;
+    if (spin_ == 0) return tilted;
+    double sine, cosine;
+    if (std::abs(spin_) < 0.03) {  // both series are exact to round-off
+      const double square = spin_ * spin_;
+      sine = spin_ * (1 - square * (1.0 / 6 - square / 120));
+      cosine = 1 - square * (0.5 - square * (1.0 / 24 - square / 720));
+    } else {
+      sine = std::sin(spin_), cosine = std::cos(spin_);
+    }
+    return cosine * tilted + sine * cross(normal_, tilted);
   }
 
  private:
-  Vector3 normal_, turn_;
-  double rest_, spin_, sine_ = 0, cosine_ = 1;
+  Vector3 normal_, sum_;
+  double factor_, spin_;
 };
 
 }  // namespace plastigran

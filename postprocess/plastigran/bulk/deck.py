@@ -238,7 +238,9 @@ class BulkDeck:
 class GranularDeck(BulkDeck):
     """Settings of decks with friction and gravity: inputs/bulk/parts/friction.in."""
 
-    tangential: str = word("model of sliding friction", ("off", "no_history", "history"))
+    tangential: str = word(
+        "model of sliding friction", ("off", "no_history", "history", *laws.TANGENTIAL_LAWS)
+    )
     coefficient_of_friction: float = number(
         "coefficient of sliding friction", "-", 0, lower_allowed=True
     )
@@ -255,6 +257,15 @@ class GranularDeck(BulkDeck):
         upper_allowed=True,
     )
     gravitational_acceleration: float = number("downward acceleration", "m/s^2", 0)
+
+    def check(self) -> None:
+        """Check that the normal law supports the tangential model."""
+        if self.law == "hertz" and self.tangential in laws.TANGENTIAL_LAWS:
+            raise ValueError(
+                f"tangential is {self.tangential}, but LIGGGHTS' own hertz does not support it. "
+                "Set tangential=history, or another law"
+            )
+        BulkDeck.check(self)
 
 
 @attrs.frozen(kw_only=True)

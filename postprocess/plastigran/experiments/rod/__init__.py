@@ -39,7 +39,8 @@ class RodImpact(Experiment):
 
     `tangential` selects the friction model of LIGGGHTS. With `history`, a spring holds the tip
     until the force of the spring reaches mu F. With `no_history`, friction is mu F as soon as the
-    tip slides, as in the paper.
+    tip slides, as in the paper. `incremental` and `partial_slip` are the tangential laws of
+    this project.
 
     Raises:
         ValueError: A field is out of range, LIGGGHTS does not support the combination, or the
@@ -50,7 +51,9 @@ class RodImpact(Experiment):
     speed: float = speed_field("impact speed, downward")
     rod: Rod = attrs.field(factory=Rod)
     tangential: str = word(
-        "friction model of the tip", ("history", "no_history", "off"), default="history"
+        "friction model of the tip",
+        ("history", "no_history", "off", *laws.TANGENTIAL_LAWS),
+        default="history",
     )
     material: Material = material_field("material of the rod", "steel_gcm15")
     flat: Material = material_field("material of the flat", "iron_gcm15")
@@ -84,6 +87,11 @@ class RodImpact(Experiment):
         if self.law == "hertz" and self.tangential == "no_history":
             raise ValueError(
                 "LIGGGHTS' own hertz without damping has no friction with tangential no_history"
+            )
+        if self.law == "hertz" and self.tangential in laws.TANGENTIAL_LAWS:
+            raise ValueError(
+                f"tangential is {self.tangential}, but LIGGGHTS' own hertz does not support it. "
+                "Set tangential to history, or use another law"
             )
         overlap, radius = self.frozen().overlap_max, self.rod.tip_radius
         check_overlap(self, overlap, radius, SPHERE_OVERLAP, "tip radii")
@@ -137,11 +145,15 @@ class RodImpact(Experiment):
         return variables | attrs.asdict(self.rod) | self.material.variables() | flat
 
     def predict(self) -> RodOutcome:
-        """Return the outcome by the equations of motion with the same friction."""
+        """Return the outcome by the equations of motion with the same friction.
+
+        For the tangential laws of this project, the equations have the spring of `history`.
+        """
         rod = self.rod
         if self.tangential == "off":
             rod = attrs.evolve(rod, coefficient_of_friction=0.0)
-        spring = self.pair.shear_modulus_eff if self.tangential == "history" else None
+        has_spring = self.tangential not in ("no_history", "off")
+        spring = self.pair.shear_modulus_eff if has_spring else None
         return simulate(rod, self.contact_law(), self.speed, spring)
 
     def measure(self, folder: Path) -> RodOutcome:
