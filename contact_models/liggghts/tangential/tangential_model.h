@@ -100,8 +100,7 @@ class TangentialLawModel : public LIGGGHTS::ContactModels::TangentialModelBase {
 
   // The attribute `flatten` inlines the law. The compiler then removes its energies if they are not
   // counted.
-  [[gnu::flatten]] void surfacesIntersect(const Contact& contact, Load& on_i,
-                                          Load& on_j) override {
+  [[gnu::flatten]] void surfacesIntersect(const Contact& contact, Load& on_i, Load& on_j) override {
     if (contact.contact_flags)
       *contact.contact_flags |= LIGGGHTS::ContactModels::CONTACT_TANGENTIAL_MODEL;
     if (setup_.counted_load)

@@ -269,8 +269,8 @@ class PartialSlip {
       raised = rise(0);
       for (int k = 1; k + 1 < count; ++k) {
         const double next = change(k), next_rise = rise(k);
-        const bool better = next_rise <= admissible ? raised > admissible || next < least
-                                                    : next_rise < raised;
+        const bool better =
+            next_rise <= admissible ? raised > admissible || next < least : next_rise < raised;
         if (better) best = k, least = next, raised = next_rise;
       }
       return best;
