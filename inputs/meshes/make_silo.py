@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Make silo_large.stl and silo_small.stl, the silos of the benchmark of Dosta et al. 2024.
 
-A barrel on a cone of 45 degrees that ends in a round orifice at z = 0. Lengths are in m.
+A silo is a barrel on a cone of 45 degrees, which ends in a round orifice at z = 0. Lengths are in
+m.
 """
 
 from __future__ import annotations

@@ -9,13 +9,14 @@ from pathlib import Path
 import numpy as np
 from scipy.spatial import cKDTree
 
-#: Distance between the surfaces of two grains at which they are moved apart, in mean diameters.
+#: Distance between surfaces below which two grains are moved apart, in mean diameters.
 GAP = 5e-4
-#: Largest overlap at the end, in mean diameters. `GAP` minus this is a positive distance.
+#: Largest overlap of spheres with a shell of thickness GAP/2 at the end, in mean diameters. Surfaces
+#: are therefore at least GAP - TOLERANCE apart.
 TOLERANCE = 4e-4
 #: Standard deviation of the random displacement in each round, in mean diameters.
 JITTER = 1e-6
-#: Largest number of rounds. Packings below random close packing, 0.64, need some hundred.
+#: Largest number of rounds. Packings below random close packing, 0.64, need some hundred rounds.
 ROUNDS = 5000
 
 
@@ -44,7 +45,8 @@ def random_packing(
     positions = start(random)
     for _ in range(ROUNDS):
         positions = confine(positions, radii)
-        # Two spheres that were moved into the same corner need a direction in which to part.
+        # Displace all spheres slightly. Otherwise, two spheres that were moved to the same corner
+        # would have no direction in which to move apart.
         positions += random.normal(0, JITTER * diameter, positions.shape)
         tree = cKDTree(positions)
         first, second = tree.query_pairs(largest + GAP * diameter, output_type="ndarray").T

@@ -3,8 +3,8 @@
 
 from __future__ import annotations
 
-#: Settings of the contacts by label: LIGGGHTS' own hertz with the prescribed restitution, and a
-#: yield strength instead of it.
+#: Settings of the contacts by label. LIGGGHTS' own hertz has the prescribed restitution; the law
+#: thornton has a yield strength instead.
 CONTACTS = {
     "hertz": {"law": "hertz", "ledger": "off"},
     "thornton": {"law": "thornton"},

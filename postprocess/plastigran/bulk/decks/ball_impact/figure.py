@@ -10,7 +10,7 @@ from plastigran.plot.style import COLOURS, styled, subplots
 
 
 def impact_figure(series: pd.DataFrame, surface: float) -> Figure:
-    """Draw displacement and velocity of the ball over time.
+    """Draw displacement and velocity of the ball versus time.
 
     Args:
         series: Columns time [s], displacement [m] and velocity [m/s].

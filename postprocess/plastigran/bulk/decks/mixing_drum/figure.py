@@ -10,7 +10,7 @@ from plastigran.plot.style import COLOURS, styled, subplots
 
 
 def zones_figure(series: pd.DataFrame) -> Figure:
-    """Draw the numbers of small and large grains in both zones over time.
+    """Draw the numbers of small and large grains in both zones versus time.
 
     Args:
         series: Columns time [s], small_1, small_2, large_1 and large_2.

@@ -66,7 +66,7 @@ class Silo(GranularDeck):
         """Height of the initial surface above the orifice [m]."""
         volume = self.grain_count * 4 / 3 * pi * self.radius**3 / self.volume_fraction
         opening = ORIFICES[self.orifice]
-        # In the cone, the radius is the height plus that of the orifice.
+        # In the cone, the radius is the height plus the radius of the orifice.
         height = (3 * volume / pi + opening**3) ** (1 / 3) - opening
         if height <= BARREL - opening:
             return height

@@ -10,7 +10,7 @@ from plastigran.plot.style import COLOURS, styled, subplots
 
 
 def silo_figure(series: pd.DataFrame, rate: float | None, settling: float) -> Figure:
-    """Draw the number of grains in the silo over time, with the line of the discharge rate.
+    """Draw the number of grains in the silo versus time, with the discharge rate as a line.
 
     Args:
         series: Columns time [s] and held.
