@@ -11,7 +11,7 @@ from scipy.spatial import cKDTree
 
 #: Distance between surfaces below which two grains are moved apart, in mean diameters.
 GAP = 5e-4
-#: Largest overlap of spheres with a shell of thickness GAP/2 at the end, in mean diameters. Surfaces
+#: Largest overlap, at the end, of spheres with a shell of GAP/2, in mean diameters. Surfaces
 #: are therefore at least GAP - TOLERANCE apart.
 TOLERANCE = 4e-4
 #: Standard deviation of the random displacement in each round, in mean diameters.
