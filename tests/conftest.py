@@ -66,6 +66,7 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
     law_name: Every law that begins with an elastic contact and has no adhesion.
     other_law: Every other law.
     engine_law: Every `law_name` with a model in LIGGGHTS.
+    history_law: Every `engine_law`, and `thornton` with a rate-dependent strength.
     sphere_law: Every `engine_law` for spheres.
     hertzian_law: Every `sphere_law` whose elastic contact is Hertz'.
     yielding_law: Every `sphere_law` that yields.
@@ -89,6 +90,8 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
         metafunc.parametrize("yielding_law", [n for n in spheres if laws.LAWS[n].yields])
     if "engine_law" in metafunc.fixturenames:
         metafunc.parametrize("engine_law", ENGINE_LAWS)
+    if "history_law" in metafunc.fixturenames:
+        metafunc.parametrize("history_law", [*ENGINE_LAWS, "thornton at a rate"])
 
 
 @pytest.fixture
@@ -130,12 +133,6 @@ def law_between(aluminium):
         return aluminium.law(name, pair, **dict.fromkeys(brought, length), **constants, **options)
 
     return make
-
-
-@pytest.fixture
-def decks() -> Path:
-    """Folder of the conformance decks."""
-    return PROJECT / "tests" / "conformance" / "decks"
 
 
 @pytest.fixture(scope="session")

@@ -84,19 +84,6 @@ def test_bed_absorbs_the_shots(bed):
     assert work.iloc[-1] < 0.1 * work.max()
 
 
-def test_ranks(plate, tmp_path):
-    """Shots do not meet, so 1 and 2 ranks agree to round-off, whatever the atom IDs."""
-    settings = plate.deck.briefs["plate"].settings
-    other = run_bulk("bed_impact", settings, tmp_path / "run", ranks=2, show=False)
-    one, two = (
-        measure_shots(read_grains_dump(folder / "grains.dump"), 1e-3, 0)
-        .sort_values("impact_speed")
-        .to_numpy()
-        for folder in (plate.folder, other.folder)
-    )
-    assert two == pytest.approx(one, rel=1e-9)
-
-
 def test_speeds_are_those_at_the_surface():
     """A shot at a height of 0.1 m had left the surface at 2 m/s; shots below the surface or on
     another shot have not rebounded."""

@@ -84,7 +84,8 @@ def test_missing_checkpoint_is_an_error(tmp_path):
 
 
 def test_other_files_are_ignored(copied):
-    """Files whose names contain no step are no checkpoints, and `force` does not remove them."""
+    """Files whose names contain no step do not count as checkpoints; `force` does not remove
+    them."""
     newest = newest_checkpoint(copied)
     for name in ("checkpoint.old.restart", "checkpoint.999999999.old.restart"):
         shutil.copy(newest, copied / name)

@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-import shutil
-
 import make_punch
 import numpy as np
 import pandas as pd
@@ -13,7 +11,6 @@ import pytest
 from plastigran.bulk.outcome import BulkRun
 from plastigran.bulk.run import run_bulk
 from plastigran.bulk.series import read_series
-from plastigran.engine.checkpoints import PATTERN, step_of
 from plastigran.physics.heckel import Loop, heckel_line, measure_loop, punch_work
 
 
@@ -41,7 +38,7 @@ def press(pressed, tmp_path):
 def test_loop(pressed):
     """The punch reaches the set density; most of the densification is permanent, a part springs
     back."""
-    assert pressed.passed  # the punch's work among the checks
+    assert pressed.passed  # a check compares the work of the punch
     loop = loop_of(pressed)
     # The density changes by up to 2e-3 between two rows, one of which is next to the turn.
     assert loop.peak == pytest.approx(0.7, abs=2e-3)
@@ -92,46 +89,11 @@ def test_wrong_force_is_noticed(pressed):
     assert check.name == "work of the punch compared with force times travel, relative"
 
 
-def test_fast_punch_is_noticed(press):
-    run = press(duration=0.02, law="thornton")
-    assert any(check.name == "kinetic / elastic energy under load" for check in run.analysis.failed)
-
-
 def test_punch_that_stays_is_noticed(pressed):
     series = read_series(pressed.folder)
     loaded = series.iloc[: int(series["force"].argmax()) + 2]
     failed = pressed.deck.analyse(loaded).failed
     assert any("pressure at the end" in check.name for check in failed)
-
-
-def test_punch_is_where_it_was_after_a_restart(pressed, tmp_path):
-    """The heights are bitwise identical. The mesh is at these heights, too: its work equals force
-    times travel.
-
-    The run continues from its last checkpoint but one, while the punch moves up.
-    """
-    rest = run_bulk("compaction", {}, tmp_path / "rest", restart=pressed.folder, show=False)
-    assert rest.series["height"].tolist() == pressed.series["height"].tolist()
-    assert rest.passed
-
-
-def test_ranks(pressed, tmp_path):
-    """Compaction of a poured bed on 2 ranks and 1 agrees to 1e-6 of the largest values.
-
-    Round-off grows to 1e-8 during compaction. The run starts from a poured bed, because round-off
-    that grows during pouring changes the positions of the grains.
-    """
-    poured = tmp_path / "poured"
-    shutil.copytree(pressed.folder, poured)
-    for later in sorted(poured.glob(PATTERN), key=step_of)[1:]:
-        later.unlink()
-    other = run_bulk("compaction", {}, tmp_path / "rest", 2, restart=poured, show=False)
-    table = pressed.series
-    assert other.series["step"].tolist() == table["step"].tolist()
-    assert table["plastic"].iloc[-1] > 3 * table["plastic"].iloc[0]
-    for name in ("elastic", "plastic", "friction", "wallwork", "pressure", "relative_density"):
-        difference = (other.series[name] - table[name]).to_numpy()  # NaN fails
-        assert np.abs(difference).max() < 1e-6 * np.abs(table[name]).max(), name
 
 
 def test_heckels_line():

@@ -7,10 +7,7 @@ import numpy as np
 import pytest
 
 from plastigran.bulk.decks.hopper import orifices
-from plastigran.bulk.run import run_bulk
 from plastigran.engine.deck import read_deck
-from plastigran.engine.log import read_thermo
-from plastigran.engine.process import run_deck
 
 
 @pytest.fixture(scope="module")
@@ -54,37 +51,6 @@ def test_a_rate_that_falls_is_noticed(discharged):
     changed = series.assign(counted=faster, held=series["atoms"].iloc[0] - faster)
     (check,) = discharged.deck.analyse(changed).failed
     assert check.name.startswith("change of the rate between the halves")
-
-
-def test_unyielding_grains_equal_stock_hertz(tmp_path):
-    """With a huge yield strength, dashpots and friction, `thornton` agrees with `hertz` and
-    limitForce to 1e-9 in the first impacts. The dashpots already have an effect in them."""
-    damped = {"yield_strength": 1e18, "coefficient_of_restitution": 0.5, "ledger": "off"}
-    few = {"orifice": 8, "layers": 2, "timestep": 2e-5, "filling": 0.02, "duration": 0.01}
-    few |= {"rows": 4, "checkpoints": 1}
-    options = {"hertz": "limitForce on", "thornton": "viscous_damping on"}
-
-    def early(name: str, law: str, **changes) -> np.ndarray:
-        """Return the kinetic energy of 416 grains in the first steps; all of them collide."""
-        values = few | damped | {"law": law, "options": options[law]} | changes
-        run_deck("bulk/hopper.in", values, tmp_path / name)
-        log = read_thermo(tmp_path / name / "log.liggghts")
-        return log[log["step"] <= 1000]["kinetic"].to_numpy()
-
-    stock = early("hertz", "hertz")
-    assert early("thornton", "thornton") == pytest.approx(stock, rel=1e-9)
-    undamped = early("undamped", "hertz", coefficient_of_restitution=1)
-    assert undamped[-1] > 1.001 * stock[-1]
-
-
-def test_restart_without_friction_is_bitwise_identical(tmp_path, brief_run):
-    """Grains, mesh contacts and grain counter continue from the last checkpoint but one."""
-    settings = {**brief_run("hopper").deck.briefs[""].settings, "tangential": "off"}
-    whole = run_bulk("hopper", settings, tmp_path / "whole", show=False)
-    rest = run_bulk("hopper", {}, tmp_path / "rest", restart=whole.folder, show=False)
-    assert whole.series["counted"].iloc[-1] > 10
-    columns = ["step", "time", "atoms", "held", "counted", "kinetic", "gravity", "elastic"]
-    assert (rest.series[columns] == whole.series[columns]).all(axis=None)
 
 
 def test_unmeasured_rate_gives_a_note(discharged, brief_run):

@@ -37,7 +37,8 @@ def test_facets_are_smooth_for_liggghts(size):
     every corner. Otherwise a yielding grain on such an edge creates energy."""
     deck = (PROJECT / "inputs" / "bulk" / "hopper" / "grains.in").read_text()
     curvature = float(re.search(r"hopper_\S+ .* curvature (\S+)", deck)[1])
-    assert curvature > 360 / make_hopper.SEGMENTS  # 360/SEGMENTS is the barrel's
+    # The facets of the barrel meet at 360/SEGMENTS degrees, those of the cone at less.
+    assert curvature > 360 / make_hopper.SEGMENTS
     corners = make_hopper.triangles(size)
     for k in range(3):
         a, b = corners[:, k - 1] - corners[:, k], corners[:, k - 2] - corners[:, k]

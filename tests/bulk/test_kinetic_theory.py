@@ -101,7 +101,7 @@ def test_statistical_error_goes_with_the_number_of_grains():
     gas = Gas(RADIUS, 0.1, constant(0.0), 1000)
     impacts = float(gas.collision_rate(3.0)) * times[1:]
     assert impacts.max() < 0.1
-    # 5 %: cooling already reduces the effect of the first losses.
+    # The tolerance of 5 % covers cooling, which reduces the effect of the first losses.
     assert errors[0] ** 2 == pytest.approx(impacts / 1000 * 4 / 9, rel=0.05)
 
 

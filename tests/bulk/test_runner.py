@@ -6,7 +6,6 @@ from __future__ import annotations
 import os
 import signal
 import subprocess
-import sys
 import threading
 import time
 from pathlib import Path
@@ -37,13 +36,6 @@ def test_package_is_called(tmp_path, monkeypatch):
     again = pg.open("results/cooling_gas")
     assert again.checks.equals(run.checks) and again.figures.keys() == run.figures.keys()
     assert "run of cooling_gas" in repr(again)
-
-
-def test_backend_of_matplotlib_is_left_alone():
-    line = "import sys, matplotlib, plastigran.bulk, plastigran.bulk.decks as d; "
-    line += "[d.deck_class(name) for name in d.deck_names()]; "
-    line += "sys.exit('matplotlib.pyplot' in sys.modules)"
-    subprocess.run([sys.executable, "-c", line], check=True)
 
 
 def test_continuing_with_another_timestep_is_refused(short_gas, tmp_path):

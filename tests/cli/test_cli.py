@@ -98,11 +98,6 @@ def test_modes(capsys):
     assert float(lines[2][5]) == pytest.approx(85418.7)
 
 
-def test_timestep(capsys):
-    assert main(["timestep", "--law", "thornton", "--speed", "0.1"]) == 0
-    assert float(capsys.readouterr().out.split()[1]) == pytest.approx(1.835e-5, rel=1e-2)
-
-
 def test_timestep_of_every_law_reports_laws_that_are_left_out(capsys):
     line = ["timestep", "--law", "all", "--speed", "0.1", "--material", "aluminium_zv02"]
     assert main(line) == 0
@@ -155,7 +150,7 @@ def test_the_material_that_leaves_the_range_is_named(tmp_path, capsys):
 
 
 def test_a_material_file_outside_the_inputs(tmp_path):
-    """LIGGGHTS gets the constants of the file, not those of the package's material of this name."""
+    """LIGGGHTS gets the constants of the file, although the package has a material of this name."""
     steel = (inputs_folder() / "materials" / "steel.in").read_text()
     own = tmp_path / "steel.in"
     own.write_text(steel.replace("3.0e8", "3.0e9"))

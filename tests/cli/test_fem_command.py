@@ -5,14 +5,12 @@ from __future__ import annotations
 
 import argparse
 import json
-import math
 import re
 from functools import partial
 
 import pytest
 
 from plastigran.cli import main
-from plastigran.cli.arguments import print_json
 from plastigran.cli.metal import add_metal, add_plane, plane
 from plastigran.fem.material.elastic_plastic import ElasticPlastic
 from plastigran.fem.material.hardening import LinearHardening
@@ -169,12 +167,3 @@ def test_numbers_are_printed_with_their_units(line, printed, capsys, coarse):
 def test_a_cylinder_that_cannot_strike_is_refused(given, said, capsys):
     assert main(["fem", "cylinder", *METAL, *CYLINDER, *given]) == 1
     assert said in capsys.readouterr().err
-
-
-def test_what_is_not_known_is_null(capsys):
-    print_json({"history": {"mises": [1.0, math.nan]}, "residual_depth": math.nan, "name": "x"})
-    assert json.loads(capsys.readouterr().out) == {
-        "history": {"mises": [1.0, None]},
-        "residual_depth": None,
-        "name": "x",
-    }

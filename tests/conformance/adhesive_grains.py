@@ -54,12 +54,7 @@ def property_lines(constants: dict[str, float]) -> str:
 
 
 def sphere(
-    x: float,
-    y: float,
-    vx: float,
-    radius: float = RADIUS,
-    density: float = DENSITY,
-    z: float = 0,
+    x: float, y: float, vx: float, radius: float = RADIUS, density: float = DENSITY, z: float = 0
 ) -> str:
     """Return a line that creates a sphere, and two lines that set it; `@` is its atom ID."""
     return (

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from math import pi
 from pathlib import Path
+from typing import ClassVar
 
 import numpy as np
 from attrs import evolve
@@ -71,6 +72,16 @@ class Spheres:
         return 8 * self.wall().shear_modulus_eff * contact_radius
 
 
+class RatedSpheres(Spheres):
+    """Spheres whose strength depends so much on the strain rate that every impact has its own."""
+
+    rate: ClassVar = {"rate_coefficient": 1.0, "reference_rate": 0.3}
+    material: Material = evolve(Spheres.material, **rate)
+
+    def variables(self) -> dict[str, object]:
+        return super().variables() | self.rate
+
+
 class MappedSpheres(Spheres):
     """Spheres whose elastic contact is that of an elliptical indenter, as in `mdr`."""
 
@@ -132,5 +143,8 @@ class Cylinders(Spheres):
 def scene(law_name: str, dissipative_constant: float = 3e-5) -> Spheres:
     """Return the bodies for a law. By default, the rebound speed of a viscous sphere of radius 0.1
     m is 0.8 times its impact speed."""
+    name, _, rated = law_name.partition(" ")
+    if rated:
+        return RatedSpheres(name, dissipative_constant)
     kind = {"sphere": Spheres, "cylinder": Cylinders}[laws.LAWS[law_name].shape]
     return (MappedSpheres if law_name in NOT_HERTZIAN else kind)(law_name, dissipative_constant)

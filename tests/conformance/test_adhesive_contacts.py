@@ -273,10 +273,7 @@ BAD = {
         {"values": {"loading_stiffness": 2e3, "unloading_stiffness": 1e3}},
     ),
     "the neighbor skin is 1e-09; it must be at least": ("jkr", {"skin": 1e-9}),
-    "cohesion sjkr adds to the adhesion of this law. Remove": (
-        "jkr",
-        {"models": "cohesion sjkr"},
-    ),
+    "cohesion sjkr adds to the adhesion of this law. Remove": ("jkr", {"models": "cohesion sjkr"}),
     "rolling_friction epsd is not supported with adhesion": (
         "jkr",
         {"models": "rolling_friction epsd", "tangential": "history"},

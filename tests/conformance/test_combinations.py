@@ -198,10 +198,7 @@ newton          off
 communicate     single vel yes
 """
     read = f"read_restart {tmp_path}/whole/middle.restart"
-    rest = execute(
-        f"{head}{read}{deck(contact, pair='')}run {STEPS // 2}",
-        tmp_path / "rest",
-    )
+    rest = execute(f"{head}{read}{deck(contact, pair='')}run {STEPS // 2}", tmp_path / "rest")
     whole = whole.loc[STEPS // 2 + 1 :]
     rest = rest.loc[STEPS // 2 + 1 :]
     assert len(whole) == 6 * STEPS // 2 // 20

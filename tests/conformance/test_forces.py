@@ -60,23 +60,6 @@ def test_unequal_bodies_in_either_order(engine_law, tmp_path):
         assert found.overlap_res == pytest.approx(expected.overlap_res, rel=tolerance)
 
 
-def test_wall_is_a_huge_sphere(engine_law, tmp_path):
-    """A sphere on another sphere 3000 times as large behaves as on a wall of the same material.
-
-    R* and m* differ by 3e-4, and restitution differs less. The relative tolerance 1e-3 also covers
-    the error of the time step.
-    """
-    bodies = scene(engine_law, dissipative_constant=SMALL)
-    bodies.run("two_bodies_equal_material", tmp_path, ratio=3000)
-    found = measure(tmp_path / "trajectory.dump")
-    body = bodies.material.body()
-    wall = bodies.law(laws.combine(body, body)).central_impact(0.01, bodies.mass(0.01), 0.2)
-    assert found.coefficient_of_restitution == pytest.approx(
-        wall.coefficient_of_restitution, rel=1e-3
-    )
-    assert found.force_max == pytest.approx(wall.force_max, rel=2e-3)
-
-
 @pytest.fixture(scope="session")
 def unyielding(tmp_path_factory):
     """Return the trajectory of an oblique impact of bodies without yield and viscosity."""

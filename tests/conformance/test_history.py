@@ -24,8 +24,10 @@ LARGE = 1e-4  # dissipative constant [s] for less restitution than that of the p
 
 def turned_pair_forces(law: str, folder: Path) -> np.ndarray:
     """Return the force on atom 1 along the line of centers while the pair turns rigidly."""
-    bodies = scene(law) if law in laws.LAWS else scene("hertz")
-    bodies.run("rotating_pair", folder, law=law)
+    if law == "thornton_ning":
+        scene("hertz").run("rotating_pair", folder, law=law)
+    else:
+        scene(law).run("rotating_pair", folder)
     table = read_dump(folder / "trajectory.dump")
     table = table[table["step"] > 1100]
     one, two = (table[table["id"] == k] for k in (1, 2))
@@ -35,14 +37,14 @@ def turned_pair_forces(law: str, folder: Path) -> np.ndarray:
     return np.einsum("ij,ij->i", line, one[["fx", "fy", "fz"]].to_numpy())
 
 
-def test_pair_flip(engine_law, tmp_path):
+def test_pair_flip(history_law, tmp_path):
     """A contact during unloading that turns by half a revolution keeps its force through sorts
     and rebuilds of the neighbor lists.
 
     The relative tolerance is 1e-7: the overlap is a difference of positions 2000 times larger, and
     the unloading curve is steep.
     """
-    force = turned_pair_forces(engine_law, tmp_path)
+    force = turned_pair_forces(history_law, tmp_path)
     assert force[0] > 0
     assert np.abs(force / force[0] - 1).max() < 1e-7
 
@@ -57,14 +59,14 @@ def test_pair_flip_catches_a_law_that_flips(tmp_path):
 
 @pytest.mark.parametrize("rebuild", ["no", "yes"])
 @pytest.mark.parametrize("geometry", GEOMETRIES)
-def test_second_touch_is_a_new_contact(engine_law, geometry, rebuild, tmp_path):
+def test_second_touch_is_a_new_contact(history_law, geometry, rebuild, tmp_path):
     """Both impacts of a bouncing sphere have the restitution of their own speed.
 
     If the contact kept its history, the slower second impact would be elastic, with restitution 1
     instead of 0.8 or less. The tolerance of restitution is 0.02: gravity is 10/s times the impact
     speed, and a contact lasts a millisecond.
     """
-    bodies = scene(engine_law, dissipative_constant=LARGE)
+    bodies = scene(history_law, dissipative_constant=LARGE)
     body = bodies.material.body()
     law = bodies.law(laws.combine(body, body if geometry == "pair" else RIGID))
     # A sphere that is kept in place is one of two equal spheres: R* = R/2, and m* is the mass of
@@ -112,13 +114,13 @@ RESTARTS += [("pair", "unloading", 2), ("plane", "loading", 2), ("mesh", "unload
 
 
 @pytest.mark.parametrize(("geometry", "moment", "ranks"), RESTARTS)
-def test_restart_in_mid_contact(engine_law, geometry, moment, ranks, course, tmp_path):
+def test_restart_in_mid_contact(history_law, geometry, moment, ranks, course, tmp_path):
     """A run that continues from a restart file is bitwise identical to the second half of the whole
     run. The exception is the first frame of a rate-dependent law. The forces at the start of a run
     use the current speeds; those at the end of a run use speeds of half a step earlier.
     """
-    bodies = scene(engine_law)
-    loading_time, contact_time = course(engine_law).loading_time, course(engine_law).contact_time
+    bodies = scene(history_law)
+    loading_time, contact_time = course(history_law).loading_time, course(history_law).contact_time
     if moment == "loading":
         time = 0.5 * loading_time
     else:
@@ -135,19 +137,19 @@ def test_restart_in_mid_contact(engine_law, geometry, moment, ranks, course, tmp
     force = whole["fx"].abs().to_numpy()
     assert 0.1 * peak < force[0] < 0.95 * peak
     assert (force.max() > 1.05 * force[0]) == (moment == "loading")
-    if laws.LAWS[engine_law].rate_dependent:
+    if laws.LAWS[bodies.law_name].rate_dependent:
         rest, whole = (table[table["step"] > before] for table in (rest, whole))
     assert len(rest) == len(whole)
     assert (rest.to_numpy() == whole.to_numpy()).all()
 
 
-def test_ranks_share_and_hand_over_a_contact(engine_law, course, tmp_path):
+def test_ranks_share_and_hand_over_a_contact(history_law, course, tmp_path):
     """A contact lies on one border and crosses another; the collision is the same on 1, 2 and 4
     ranks. The relative tolerance is 1e-9, because positions are summed in another order behind a
     border.
     """
-    bodies, found = scene(engine_law), {}
-    steps = ceil(1.3 * course(engine_law).contact_time / 4e-6)
+    bodies, found = scene(history_law), {}
+    steps = ceil(1.3 * course(history_law).contact_time / 4e-6)
     for ranks, grid in ((1, "1 1"), (2, "2 1"), (2, "1 2"), (4, "2 2")):
         folder = tmp_path / grid.replace(" ", "x")
         log = bodies.run("ranks", folder, ranks=ranks, grid=grid, drift=bodies.drift, steps=steps)

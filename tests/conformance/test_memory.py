@@ -275,10 +275,7 @@ REFUSED = {
         "fix wall all wall/gran model thornton tangential history primitive type 2 xplane -0.45",
         {},
     ),
-    "energy_ledger on: fix rigid is not supported": (
-        "fix body pair rigid single",
-        LEDGER,
-    ),
+    "energy_ledger on: fix rigid is not supported": ("fix body pair rigid single", LEDGER),
 }
 
 

@@ -221,18 +221,6 @@ def test_negative_friction_is_refused(name, tmp_path):
         run(tmp_path, law="thornton", more=constant(name, "-0.3"))
 
 
-def test_unknown_law(tmp_path):
-    message = "model vu_quok_zhang is unknown. Available models: brake_2012"
-    with pytest.raises(EngineError, match=message):
-        run(tmp_path, law="vu_quok_zhang")
-
-
-def test_constants_of_an_included_file_may_be_set(tmp_path):
-    """Material constants come from an included file."""
-    log = run_deck("collision/sphere_wall.in", {"yield_strength": 2e8}, tmp_path)
-    assert re.search(r"atom types 1 and 2: .* yield strength 2e\+08 Pa", log)
-
-
 def test_viscous_damping_is_the_classic_dashpot(hertzian_law, tmp_path):
     """Below yield, the model with viscous_damping equals LIGGGHTS' hertz with limitForce."""
     stock = (PROJECT / "inputs/collision/two_spheres.in").read_text()

@@ -9,8 +9,6 @@ import subprocess
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-import pytest
-
 from plastigran import laws
 from plastigran.engine.process import PROJECT, command, environment, inputs_folder, run_deck
 from plastigran.experiments.collision import measure
@@ -109,13 +107,6 @@ def test_liggghts_of_another_version_is_refused(tmp_path):
     assert done.returncode != 0
     assert "Plastigran was compiled for LIGGGHTS-PUBLIC 3.8.7, but this is" in done.stdout
     assert not (tmp_path / "trajectory.dump").exists()
-
-
-@pytest.mark.parametrize("ranks", [1, 2])
-def test_launcher_under_mpirun(ranks, tmp_path):
-    log = run_deck("collision/two_spheres.in", {}, tmp_path, ranks=ranks)
-    assert f"on {ranks} procs" in log
-    assert measure(tmp_path / "trajectory.dump").coefficient_of_restitution < 0.5
 
 
 def test_single_processes_start_at_the_same_time(tmp_path):

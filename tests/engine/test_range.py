@@ -26,7 +26,8 @@ def excess(geometry: str, law: str, speed: float, folder: Path, ranks: int = 1, 
 
 
 def vu_quoc_zhang_limit(pair: laws.MaterialPair, radius_eff: float) -> float:
-    law = laws.VuQuocZhang(pair)  # fitted up to 41 P_Y, rounded to 2 %
+    # The law is calibrated up to 41 P_Y; the overlap of its range is rounded, here to 42 P_Y.
+    law = laws.VuQuocZhang(pair)
     return law.overlap(radius_eff, 42 * law.yield_force(radius_eff), law.State())
 
 

@@ -184,14 +184,6 @@ def test_constants_are_printed_once_with_their_lines(tmp_path):
     assert find_models(log) == ["thornton", "stronge"]
 
 
-def test_a_refused_combination_names_the_word(tmp_path):
-    message = (
-        "surface superquadric is not available with this model; possible: default multicontact"
-    )
-    with pytest.raises(EngineError, match=f"model thornton: {message}"):
-        run(tmp_path, model="thornton surface superquadric")
-
-
 def test_an_unknown_law_is_refused_with_the_possible_ones(tmp_path):
     with pytest.raises(EngineError) as error:
         run(tmp_path, model="vu_quok_zhang tangential off")

@@ -49,8 +49,8 @@ fix motion all nve/sphere
 {report}
 run {steps}
 """
-#: Velocities [m/s] of the sphere, for 300 steps each: it is pressed on, moves along, changes
-#: direction, rises, and moves back.
+#: Velocities [m/s] of the sphere, for 300 steps each: it loads the contact, slides, changes
+#: direction, unloads, and slides back.
 PATH = [(0, 0, -1), (0.3, 0, 0), (0.05, 0.2, -0.2), (-0.1, 0, 0.5), (-0.4, -0.1, 0.05)]
 SEGMENT = """unfix motion
 fix motion all move linear {} {} {}

@@ -119,7 +119,9 @@ def test_a_held_contact_keeps_its_force(law, grid, sort, comes, compress, tmp_pa
         expected = model.respond(0.0025, overlap, state).force
     assert force[0] == pytest.approx(expected, rel=1e-6)
     assert model.respond(0.0025, held, model.State()).force > 1.2 * expected
-    log = read_thermo(tmp_path / "log.liggghts").dropna(subset="border")  # last two runs
+    # Only the last two runs have the column `border`.
+    log = read_thermo(tmp_path / "log.liggghts").dropna(subset="border")
     assert log["border"].iloc[0] < 0.02 < log["border"].iloc[-1]
     if comes:
-        assert log["atoms"].max() > 20 and log["atoms"].diff().min() < 0  # inserted, deleted
+        # Grains were inserted, and one was deleted.
+        assert log["atoms"].max() > 20 and log["atoms"].diff().min() < 0

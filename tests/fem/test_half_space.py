@@ -62,7 +62,7 @@ def test_half_space_yields_below_its_surface_at_the_force_of_the_sphere():
     radius = pair.contact_radius(force)
     assert strained.plastic_strain.max() > 0
     assert deepest[0] < 0.3 * radius
-    assert deepest[1] == pytest.approx(-0.48 * radius, rel=0.35)  # as in the sphere
+    assert deepest[1] == pytest.approx(-0.48 * radius, rel=0.35)  # as in test_press.py
 
 
 def test_indentation_pressure_is_of_the_order_of_the_expanding_cavity(indentation):
@@ -97,7 +97,7 @@ def test_impact_on_a_half_space_radiates_a_little_energy():
     assert impact.force_max == pytest.approx(pair.force(pair.approach_max(SPEED)), rel=0.01)
     parts = ["kinetic_energy", "elastic_energy", "penalty_energy"]
     total = impact.history[parts].sum(axis=1)
-    assert total.max() / total.min() == pytest.approx(1, abs=2e-3)  # as on a rigid plane
+    assert total.max() / total.min() == pytest.approx(1, abs=2e-3)  # as in test_throw.py
 
 
 def test_finite_strain_on_a_half_space_is_refused():

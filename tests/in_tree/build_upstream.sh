@@ -56,7 +56,7 @@ unpack() {
 
   # Since g++ 11 `stream() << x` is a temporary, which binds to a reference to const only.
   sed -i 's/static_cast< std::ostringstream & >/static_cast< const std::ostringstream \& >/' utils.h
-  # A pointer cannot be compared with 0 by `>`; the condition asks whether the list exists.
+  # A pointer cannot be compared with 0 by `>`; the condition is true if the list exists.
   sed -i 's/numneigh > 0)/numneigh != NULL)/' finish.cpp
   # This VTK writer is compiled even without VTK.
   rm -f dump_mesh_vtk.cpp dump_mesh_vtk.h

@@ -34,7 +34,7 @@ std::vector<typename Law::Parameters> cases([[maybe_unused]] const MaterialPair&
     }
   if constexpr (std::is_same_v<Law, LimStronge> || std::is_same_v<Law, KattaPolycarpou>) {
     found.clear();
-    for (double thickness = 1e-4; thickness < 1e5; thickness *= 100)
+    for (double thickness = 1e-8; thickness < 1e6; thickness *= 100)
       found.push_back({1, thickness, 1});
   }
   for (const auto& option : options_of<Law>)

@@ -39,7 +39,7 @@ def test_the_errors_of_the_package_and_the_pages_are_those_of_the_laws(assert_on
         assert stored[size].to_numpy() == expected
     rebounds, rated = steel.rebounds(), steel.rebounds(**offset.RATE)
     regimes = choice.by_regime(unfitted, rebounds, rated)
-    best = regimes.loc[regimes["quantity"] == "force", "best"]  # as docs/choose_a_law.md says
+    best = regimes.loc[regimes["quantity"] == "force", "best"]  # in docs/choose_a_law.md
     assert best.str.startswith("`universal`").all()
     for word in ("restitution", "force"):
         assert_on_page(word, choice.by_law(compared, rebounds, word))

@@ -220,7 +220,7 @@ def test_phone_needs_no_horizontal_scrolling(page):
     window = page.viewport_size
     page.evaluate(MORE_LAWS, 17)
     page.set_viewport_size({"width": 390, "height": 844})
-    chart = page.locator("#run-0-measured .main-svg[width^='3']").first  # 300 to 399 wide
+    chart = page.locator("#run-0-measured .main-svg[width^='3']").first  # 300 to 399 px
     expect(chart).to_be_attached()
     assert page.evaluate("document.documentElement.scrollWidth") <= 390
     assert page.locator("[data-movie] canvas").bounding_box()["width"] > 300

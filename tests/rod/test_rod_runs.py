@@ -18,7 +18,7 @@ from plastigran.experiments.rod.paper import paper_rods
 from plastigran.physics.rod import Rod
 from plastigran.physics.rod_motion import simulate
 
-STEEP, FLAT = paper_rods()
+STEEP, _ = paper_rods()
 
 
 @pytest.mark.parametrize("rod", paper_rods(), ids=lambda rod: f"{rod.angle:g}")

@@ -35,7 +35,7 @@ STEPS = (0, 50, 100)
 
 
 def read_run(folder, law):
-    """Return the run of pressed pairs as `open_run` returns the run of a deck."""
+    """Return the run of pressed_pairs.py as `open_run` returns the run of a deck."""
     deck = SimpleNamespace(grains=Grains(law, {}, read_material("soft_granules"), 2e-3))
     series = pd.DataFrame({"step": STEPS, "time": np.multiply(STEPS, 1e-7)})
     return BulkRun("pressed_pairs", folder, deck, Analysis(series))

@@ -47,8 +47,8 @@ def test_causes_of_the_mean_error_have_the_expected_sign(monkeypatch):
     assert parts["scatter of a conversion", "HV -10 %"] < 0
     assert parts["modulus of the ball", "625 → 600 GPa"] > 0
     assert parts["modulus of the ball", "625 → 650 GPa"] < 0
-    assert parts["speed of the body"].item() > 0  # slower
-    assert parts["mass of the body"].item() < 0  # heavier
+    assert parts["speed of the body"].item() > 0  # a lower speed
+    assert parts["mass of the body"].item() < 0  # a larger mass
     assert parts["height of the sensor"].item() < 0  # gravity lowers the speed twice
 
 

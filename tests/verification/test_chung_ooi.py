@@ -16,8 +16,6 @@ from plastigran.experiments.chung_ooi import BenchmarkImpact, folder
 from plastigran.experiments.chung_ooi.comparison import motion
 from plastigran.experiments.runs import sweep
 
-LAW = "vu_quoc_zhang"
-
 
 @pytest.fixture(scope="session")
 def tables(tmp_path_factory):

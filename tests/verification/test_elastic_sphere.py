@@ -173,12 +173,7 @@ def test_hertzian_collision_of_the_ice_sphere(geometry, tmp_path):
     """
     model = CentralImpact("hertz", 0.1, read_material("ice"), 0.01, geometry)
     found = model.run(tmp_path, model.timestep / 10)
-    bodies = (
-        model.radius_eff,
-        model.mass_eff,
-        model.pair.youngs_modulus_eff,
-        model.closing_speed,
-    )
+    bodies = (model.radius_eff, model.mass_eff, model.pair.youngs_modulus_eff, model.closing_speed)
     assert found.contact_time == pytest.approx(float(central.hertz_duration(*bodies)), rel=1e-4)
     assert found.force_max == pytest.approx(float(central.hertz_force_max(*bodies)), rel=1e-4)
     assert found.overlap_max == pytest.approx(float(central.hertz_overlap_max(*bodies)), rel=1e-4)
