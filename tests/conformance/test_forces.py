@@ -126,6 +126,21 @@ def test_sliding_friction(engine_law, tangential, tmp_path):
     assert along == pytest.approx(-0.3 * normal, rel=2e-3)
 
 
+def creep(law: str, folder: Path, **variables) -> tuple[pd.DataFrame, np.ndarray]:
+    """Return the steps of a slow motion along the plane near the largest force, and their
+    tangential stiffness by the law [N/m].
+    """
+    bodies = scene(law)
+    bodies.run("creep", folder, **variables)
+    table = read_dump(folder / "trajectory.dump")
+    wall = bodies.law(bodies.wall())
+    radius = wall.follow(0.1, (0.1 - table["x"]).to_numpy(), wall.State())["contact_radius"]
+    table = table.assign(slip=table["y"] - table["y"].iloc[0])
+    middle = (table["fx"].abs() > 0.5 * table["fx"].abs().max()).to_numpy()
+    assert radius[middle].max() > 2 * bodies.yield_contact_radius()
+    return table[middle], bodies.tangential_stiffness(radius[middle])
+
+
 def test_tangential_stiffness_is_the_laws(engine_law, tmp_path):
     """The tangential stiffness is 8 G* a with the contact radius a of the law, also beyond yield.
 
@@ -134,16 +149,8 @@ def test_tangential_stiffness_is_the_laws(engine_law, tmp_path):
     A slow motion along the plane (10 um/s) never slides, so the spring force is k_t times the path.
     The relative tolerance is 1e-3, because the path begins up to one step after the touch.
     """
-    bodies = scene(engine_law)
-    bodies.run("creep", tmp_path, tangential="history")
-    table = read_dump(tmp_path / "trajectory.dump")
-    law = bodies.law(bodies.wall())
-    radius = law.follow(0.1, (0.1 - table["x"]).to_numpy(), law.State())["contact_radius"]
-    slip = table["y"].to_numpy() - table["y"].iloc[0]
-    middle = (np.abs(table["fx"]) > 0.5 * np.abs(table["fx"]).max()).to_numpy()
-    assert radius[middle].max() > 2 * bodies.yield_contact_radius()
-    expected = -bodies.tangential_stiffness(radius[middle]) * slip[middle]
-    assert table["fy"].to_numpy()[middle] == pytest.approx(expected, rel=1e-3)
+    table, stiffness = creep(engine_law, tmp_path, tangential="history")
+    assert table["fy"].to_numpy() == pytest.approx(-stiffness * table["slip"], rel=1e-3)
 
 
 @pytest.mark.parametrize("damping", ["off", "on"])
@@ -151,16 +158,9 @@ def test_friction_without_history_is_critically_damped(engine_law, damping, tmp_
     """A slow tangential motion gives the force 2 sqrt(k_t m*) times its speed, with and without
     dashpot.
     """
-    bodies = scene(engine_law)
-    bodies.run("creep", tmp_path, tangential="no_history", damping=damping)
-    table = read_dump(tmp_path / "trajectory.dump")
-    law = bodies.law(bodies.wall())
-    radius = law.follow(0.1, (0.1 - table["x"]).to_numpy(), law.State())["contact_radius"]
-    middle = (np.abs(table["fx"]) > 0.5 * np.abs(table["fx"]).max()).to_numpy()
-    stiffness = bodies.tangential_stiffness(radius[middle])
-    speed = table["vy"].to_numpy()[middle]
-    expected = -2 * np.sqrt(stiffness * table["mass"].to_numpy()[middle]) * speed
-    assert table["fy"].to_numpy()[middle] == pytest.approx(expected, rel=1e-6)
+    table, stiffness = creep(engine_law, tmp_path, tangential="no_history", damping=damping)
+    expected = -2 * np.sqrt(stiffness * table["mass"]) * table["vy"]
+    assert table["fy"].to_numpy() == pytest.approx(expected, rel=1e-6)
 
 
 @pytest.mark.parametrize("rolling", ["cdt", "epsd2"])

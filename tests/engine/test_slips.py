@@ -62,8 +62,10 @@ def matrix(name: str, value: str) -> str:
 COHESION = property_global("cohesionEnergyDensity", "2 1e9 0 0 0", "peratomtypepair")
 
 
-def test_a_good_deck_gives_no_warning(tmp_path):
-    assert "WARNING" not in run(tmp_path)
+@pytest.mark.parametrize("changes", [{}, {"more": COHESION}, {"yield_strength": "1e30"}])
+def test_a_good_deck_gives_no_warning(changes, tmp_path):
+    """Unused cohesion and a rigid body give no warning, either."""
+    assert "WARNING" not in run(tmp_path, **changes)
 
 
 @pytest.mark.parametrize(
@@ -116,14 +118,6 @@ def test_a_slip_gives_one_warning(changes, message, tmp_path):
     log = run(tmp_path, **changes)
     assert log.count("WARNING: plastigran: model ") == 1
     assert message in log
-
-
-def test_unused_cohesion_gives_no_warning(tmp_path):
-    assert "WARNING" not in run(tmp_path, more=COHESION, model="thornton tangential off")
-
-
-def test_a_rigid_body_gives_no_warning(tmp_path):
-    assert "WARNING" not in run(tmp_path, yield_strength="1e30")
 
 
 def test_messages_are_in_the_units_of_the_deck(tmp_path):

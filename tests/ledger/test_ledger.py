@@ -158,15 +158,17 @@ def test_ranks_have_the_same_terms(bed, ranks, grid, tmp_path):
     assert np.abs(table[ENTRIES] - whole[ENTRIES]).to_numpy().max() < 1e-9 * scale
 
 
-def test_newton_on_is_refused(tmp_path):
+@pytest.mark.parametrize(
+    ("deck", "message"),
+    [
+        ("newton_on", "`newton on` is not supported"),
+        ("wall_alone", "the pair_style line must have it too"),
+    ],
+)
+def test_unsupported_decks_are_refused(deck, message, tmp_path):
     """With `newton on`, only one of two ranks computes a contact across their border."""
-    with pytest.raises(EngineError, match="energy_ledger on: `newton on` is not supported"):
-        run_deck(DECKS / "newton_on.in", {}, tmp_path)
-
-
-def test_a_wall_needs_the_pair_style(tmp_path):
-    with pytest.raises(EngineError, match="energy_ledger on: the pair_style line must have it too"):
-        run_deck(DECKS / "wall_alone.in", {"pair": "off"}, tmp_path)
+    with pytest.raises(EngineError, match=f"energy_ledger on: {message}"):
+        run_deck(DECKS / f"{deck}.in", {"pair": "off"}, tmp_path)
 
 
 def test_a_wall_that_does_not_report_is_named(tmp_path):
