@@ -20,13 +20,13 @@ def loop_of(run: BulkRun) -> Loop:
 
 @pytest.fixture(scope="module")
 def pressed(brief_run) -> BulkRun:
-    """Sixty grains, in a die ten radii wide."""
+    """A run with sixty grains in a die that is ten radii wide."""
     return brief_run("compaction")
 
 
 @pytest.fixture
 def press(pressed, tmp_path):
-    """Run it with other settings."""
+    """Runs the deck with other settings."""
 
     def run(ranks: int = 1, **changes) -> BulkRun:
         settings = {**pressed.deck.briefs[""].settings, **changes}

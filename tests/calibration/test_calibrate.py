@@ -208,7 +208,8 @@ def test_impacts_beyond_the_range_of_the_law_give_a_note():
 
 
 def test_strength_of_steel_is_for_a_strain_rate_of_one_per_second():
-    """At the strain rate (v/R)(E*/E')^2 of the impact, the strength is larger by 1 + C ln(rate)."""
+    """At the strain rate (v/R)(E*/E')^2 of the impact [1/s], the strength is 1 + C ln(rate) times
+    as large."""
     fast = calibrate(**STEEL, leeb=540, rate_coefficient=0)
     slow = calibrate(**STEEL, leeb=540)
     body = slow.material.body()

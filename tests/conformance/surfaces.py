@@ -7,7 +7,8 @@ import numpy as np
 
 
 def pipe(facets: int, radius: float, length: float) -> np.ndarray:
-    """Return a pipe along y around the origin; `radius` is the distance of the facets' centers."""
+    """Return a pipe along y around the origin; `radius` is the distance of its facets from the
+    axis."""
     ends = 2 * np.pi * (np.arange(facets + 1) + 0.5) / facets
     corners = radius / np.cos(np.pi / facets) * np.array([np.sin(ends), -np.cos(ends)]).T
     return _strips(np.array([np.insert(corners, 1, y, axis=1) for y in (-length / 2, length / 2)]))

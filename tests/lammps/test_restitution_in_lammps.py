@@ -66,9 +66,8 @@ def test_restitution_follows_the_law(law, declared_jumps, tmp_path):
     "law", ["thornton", "kogut_etsion", "universal", "mdr", "viscoelastic_hertz", "jkr"]
 )
 def test_liggghts_gives_the_same_restitution(law, tmp_path):
+    """With the same start and time step, the hosts differ by round-off of sums."""
     material = attrs.evolve(MATERIAL, dissipative_constant=1e-6, surface_energy=10)
-    """Runs with the same start and time step differ by round-off, because sums have another
-    order."""
     for geometry in ("sphere_wall", "two_spheres"):
         restitution = [
             CentralImpact(law, SPEEDS[0], material, RADIUS, geometry, host=host)
