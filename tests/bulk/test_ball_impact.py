@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A ball on a bed: a law without yield equals LIGGGHTS' hertz; an interrupted run continues."""
+"""The impact of a ball on a bed: motion without yield, and continuation of an interrupted run."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ SHORT = dict(deck_class("ball_impact").briefs[""].settings)
 
 
 def test_unlimited_strength_gives_the_motion_of_stock_hertz(tmp_path):
-    """LIGGGHTS' own pair loop and that of the plugin give bitwise the same motion of
-    the ball and of the bed's center of mass.
+    """The plugin and LIGGGHTS' hertz give bitwise identical motions of the ball and of the center
+    of mass of the bed.
 
     With `limitForce on`, the force of hertz stays repulsive, as with `viscous_damping on`.
     """
@@ -41,7 +41,7 @@ def test_unlimited_strength_gives_the_motion_of_stock_hertz(tmp_path):
 def test_interrupted_run_continues_to_the_same_end(tmp_path, brief_run):
     """`finish_bulk` continues from a checkpoint, and reads a finished run.
 
-    Tolerance: the bed amplifies round-off, as the deck declares for a continued run.
+    The displacement agrees to 1e-6 of its largest value, because the bed amplifies round-off.
     """
     whole = brief_run("ball_impact", "")
     stopped = tmp_path / "runs" / "part_1"

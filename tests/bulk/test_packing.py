@@ -21,7 +21,7 @@ def in_cube(side):
 
 @pytest.mark.parametrize("spread", [0.0, 0.3])
 def test_spheres_do_not_overlap_and_are_inside(spread):
-    """At the volume fraction 0.53, between a loose gas and random close packing."""
+    """The volume fraction is 0.53, between that of a gas and random close packing."""
     radii = 1 + spread * np.linspace(-1, 1, 400)
     side = (4 / 3 * np.pi * (radii**3).sum() / 0.53) ** (1 / 3)
     places = random_packing(radii, *in_cube(side), seed=3)
@@ -29,7 +29,7 @@ def test_spheres_do_not_overlap_and_are_inside(spread):
     gap = np.linalg.norm(places[first] - places[second], axis=1) - radii[first] - radii[second]
     assert gap.min() > 0
     outside = np.maximum(radii[:, None] - places, places + radii[:, None] - side)
-    assert outside.max() < 10 * packing.JITTER * 2  # the last random displacement
+    assert outside.max() < 10 * packing.JITTER * 2  # largest last displacement
     assert (random_packing(radii, *in_cube(side), seed=3) == places).all()
     assert (random_packing(radii, *in_cube(side), seed=4) != places).any()
 

@@ -147,8 +147,8 @@ def test_force_is_that_of_the_law(law, tmp_path):
     assert max(errors) < 1e-9 * largest
 
 
-#: Two spheres on given paths: they press, slide until the contact slips, and rotate as a rigid
-#: body about an axis between the normal and the direction of sliding.
+#: Two spheres move on given paths. They load their contact, slide until it slips, and rotate like a
+#: rigid body about an axis between the normal and the direction of sliding.
 PAIR = """
 atom_style granular
 atom_modify map array
@@ -205,10 +205,9 @@ def pair_force(folder: Path, law: str, steps: int) -> tuple[np.ndarray, np.ndarr
 
 @pytest.mark.parametrize("law", LAWS)
 def test_rigid_rotation_of_a_pair_turns_its_force_with_second_order(law, tmp_path):
-    """The pair tumbles and spins about its normal; after a revolution, the force is as before.
-
-    1e-9: accepted change of the size. 0.5: accepted difference of the ratio of errors from four,
-    which is exact for small steps. Both were set before the first run.
+    """After a revolution about an oblique axis, the tangential force is as before. Its magnitude
+    changes by at most a relative 1e-9. Half the step reduces the error of its direction to a
+    quarter; the accepted ratio is 4 within 0.5. Both limits were set before the first run.
     """
     errors = []
     for steps in (500, 1000):

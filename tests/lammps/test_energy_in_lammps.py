@@ -33,7 +33,7 @@ def check_balance(table: pd.DataFrame) -> float:
     energies = table[TERMS[:6]].sum(axis=1)
     total = energies - table["wallwork"] - table["inserted"]
     assert_allclose(total, total[0], atol=1e-3 * energies.max(), rtol=0)
-    # The last digits of the sums.
+    # `drift` differs only by the round-off of the sums.
     assert_allclose(table["drift"], total - total[0], atol=1e-12 * energies.max(), rtol=0)
     return energies.max()
 
@@ -48,9 +48,9 @@ def test_the_balance_closes(ranks, newton, tmp_path):
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_the_balance_continues_after_a_restart(ranks, tmp_path):
-    """To 1e-6 of the energy: LAMMPS computes the dashpots of the setup with other velocities.
-
-    The velocities are those at the end of the step. Set after the first comparison, of 1e-8.
+    """The terms agree to 1e-6 of the kinetic energy. During setup, LAMMPS computes dashpots with
+    the velocities at the end of the step. The tolerance was set after the first comparison, which
+    gave 1e-8.
     """
     unbroken = bed(tmp_path, plate="no").set_index("Step")
     continued = bed(tmp_path, ranks, plate="no", **{"from": 5500}).set_index("Step")
@@ -62,7 +62,7 @@ def test_the_balance_continues_after_a_restart(ranks, tmp_path):
 
 
 def test_changes_by_the_deck_are_inserted_energy(tmp_path):
-    """New speeds, deleted grains, and a wall that is removed while a sphere touches it."""
+    """The deck changes speeds, deletes a grain, and removes a wall that a sphere touches."""
     spheres = [sphere(0.999 * RADIUS, 0, 0, 0, 0), sphere(5 * RADIUS, 0, 0, 0.1, 0)]
     log = run(
         tmp_path,
@@ -93,7 +93,8 @@ def test_changes_by_the_deck_are_inserted_energy(tmp_path):
 
 
 def test_poured_grains_are_inserted_energy(tmp_path):
-    """1e-5: in the step of its insertion, gravity accelerates a grain for half of the step."""
+    """The balance error is below 1e-5 of the largest kinetic energy. It arises because gravity
+    accelerates an inserted grain for only half of its first step."""
     log = run(
         tmp_path,
         f"""{box(8 * RADIUS)}

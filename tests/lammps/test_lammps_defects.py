@@ -34,7 +34,7 @@ def test_mixed_types_have_another_tangential_stiffness(tmp_path):
 
 
 def test_read_restart_loses_the_cutoff(tmp_path):
-    """The cutoff has any value, so LAMMPS warns that it is 0, or stops because it is too large."""
+    """The cutoff is undefined, so LAMMPS warns that it is 0, or stops because it is too large."""
     try:
         log = run(tmp_path, READ_RESTART)
     except EngineError as error:

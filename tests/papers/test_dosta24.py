@@ -13,7 +13,8 @@ from plastigran.papers.dosta24.published import eight_codes, reruns
 
 
 def test_published_impact_has_the_printed_ranges():
-    """The lowest and highest means of the eight codes in mm at 30, 50 and 100 ms, as printed."""
+    """The lowest and highest means of eight codes at 30, 50 and 100 ms [mm] are those of the
+    paper."""
     printed = {0.03: (-136.7, -136.0), 0.05: (-115.1, -108.5), 0.1: (-67.5, -44.1)}
     for time, expected in printed.items():
         means = [
@@ -43,7 +44,7 @@ def test_free_flight_continues_a_run():
 
 
 def test_small_cases(coarse, coarse_table):
-    """Small versions run, and their tables hold what physics demands."""
+    """Small versions of the cases run, and the energy terms in their tables add up."""
     depth = coarse_table("dosta24", "impact").set_index("time (ms)")["thornton"]
     assert depth["largest depth"] < -10  # the bed begins 20 mm below the ball's surface
     energies = coarse_table("dosta24", "impact_energies").iloc[0]
