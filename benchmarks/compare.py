@@ -67,7 +67,7 @@ def runs(tree: Path) -> list[Run]:
 
 
 def material_with(law: str, deck: Path) -> dict[str, str]:
-    """Return a setting `material` that has the constants of the law; {} to keep the deck's one."""
+    """Return the setting `material` with all constants of the law; {} if the deck has them."""
     default = index_variables(deck)["material"]
     for name in (default, *materials.names()):
         if not materials.read_material(name).missing(law):

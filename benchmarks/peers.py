@@ -38,7 +38,8 @@ RESULTS = PROJECT / "results" / "bench"
 REFERENCE, CONTROL = "hertz", "hertz again"
 OURS = ("thornton", "vu_quoc_zhang", "kogut_etsion", "universal")
 PLUGIN = ("LAMMPS thornton", "LAMMPS universal")
-#: Largest time of laws / time of a law of LAMMPS: the loop in LIGGGHTS, and pair forces in LAMMPS.
+#: Limits of the time of our laws, divided by the time of a law of LAMMPS: of the whole loop in
+#: LIGGGHTS, and of the pair forces in LAMMPS.
 TARGETS = (
     ("loop", OURS, "LAMMPS mdr", 0.25),
     ("loop", OURS, "LAMMPS hertz/material", 0.75),

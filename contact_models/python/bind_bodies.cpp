@@ -136,7 +136,7 @@ void bind_bodies(nb::module_& module) {
   module.def(
       "body_constants", &constant_table, nb::sig("def body_constants() -> list[dict[str, Any]]"),
       R"(Return one dict per constant of a body: name, symbol, unit, lower and upper (bounds), above
-(whether the lower bound is excluded), default (None if the constant is required; a default is
+(True if the lower bound is excluded), default (None if the constant is required; a default is
 always allowed), and meaning.)");
 
   nb::class_<MaterialPair> pair(

@@ -133,7 +133,8 @@ void bind_tangential(nb::module_& module, nb::dict& all, const char* class_name,
 Args:
     force: Normal force at the end of the step [N]. Numbers or arrays whose shapes broadcast
         together, as all below.
-    stiffness: Tangential stiffness without slip at the end of the step, 8 G* a [N/m].
+    stiffness: Tangential stiffness of a sticking contact, 8 G* a, with a at the end of the step
+        [N/m].
     displacement_x: Displacement in the step of the first body's surface relative to the
         second's, along x of the contact plane [m].
     displacement_y: The displacement along y [m].

@@ -241,7 +241,7 @@ Raises:
                   "Numbers"),
           R"(Return the largest attractive force of a contact with this history [N].
 
-The force is 0 for laws without adhesion.
+This pull-off force is 0 for laws without adhesion.
 
 Args:
     radius_eff: R* [m], positive. Numbers or arrays whose shapes broadcast together, as all below.

@@ -144,9 +144,9 @@ def test_restart_in_mid_contact(history_law, geometry, moment, ranks, course, tm
 
 
 def test_ranks_share_and_hand_over_a_contact(history_law, course, tmp_path):
-    """A contact lies on one border and crosses another; the collision is the same on 1, 2 and 4
-    ranks. The relative tolerance is 1e-9, because positions are summed in another order behind a
-    border.
+    """A contact lies on one border between ranks and moves across another. The collision is the
+    same on 1, 2 and 4 ranks. The relative tolerance is 1e-9, because the round-off of a position
+    differs after a grain moves to another rank.
     """
     bodies, found = scene(history_law), {}
     steps = ceil(1.3 * course(history_law).contact_time / 4e-6)

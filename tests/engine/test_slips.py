@@ -114,7 +114,7 @@ def test_a_good_deck_gives_no_warning(changes, tmp_path):
     ],
 )
 def test_a_slip_gives_one_warning(changes, message, tmp_path):
-    """There is one warning, although pairs and walls use the same value."""
+    """There is only one warning, although both pairs and walls use the wrong value."""
     log = run(tmp_path, **changes)
     assert log.count("WARNING: plastigran: model ") == 1
     assert message in log

@@ -53,8 +53,9 @@ def test_terms_are_known_after_all_forces(asks, every, tmp_path):
 
 
 def test_a_fix_within_a_step_reads_the_previous_term(tmp_path):
-    """The fix reads a `fix ave/time` and moves a grain by one meter per joule. Motion and term
-    agree to 1e-9 of the largest term, because of the digits of the log.
+    """The fix reads an energy term by `fix ave/time` and moves a grain by one meter per joule. The
+    motion equals the term of the previous step. The tolerance is 1e-9 of the largest term, because
+    the log has a limited number of digits.
     """
     entries = ledger("between", tmp_path, asks=1, fed=1, every=1)
     motion = read_dump(tmp_path / "trajectory.dump")

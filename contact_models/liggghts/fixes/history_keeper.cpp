@@ -152,9 +152,9 @@ void HistoryKeeper::restore_lost_histories() {
       warn_on_first_rank(stored.owner + ": contacts start without history, because " +
                          (stored.models == line.models
                               ? "the wall moved: `" + stored.models + '`'
-                              : "their models changed from `" + stored.models + "` to `" +
-                                    line.models + "`. Repeat the earlier line to keep the " +
-                                    "histories"));
+                              : "the models of these contacts changed from `" + stored.models +
+                                    "` to `" + line.models +
+                                    "`. Repeat the earlier line to keep the " + "histories"));
     }
   }
 }

@@ -21,7 +21,8 @@ struct CompanionKind {
   std::vector<Companion> models;
 };
 
-// Returns the kinds in the order of LIGGGHTS' hash, where they follow the normal model.
+// Returns the kinds in the order in which LIGGGHTS' hash of a combination of models contains them.
+// The normal model comes first in the hash and is not among them.
 const std::array<CompanionKind, 4>& companion_kinds();
 
 // Returns the ID of the model at `place` of LIGGGHTS' hash: 0 normal, 1 tangential, 2 cohesion, 3

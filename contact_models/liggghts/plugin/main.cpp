@@ -58,10 +58,10 @@ std::string unknown_models(const CommandLine& command) {
   return text;
 }
 
-// Configures Open MPI for one rank if no launcher such as mpirun was used. Otherwise Open MPI
-// starts a daemon and searches for networks, which takes as long as the start of LIGGGHTS. The
-// session directory is disabled too: without a daemon, all such processes share it, and the first
-// to end deletes it.
+// Configures Open MPI for one rank if no launcher such as mpirun was used. Without this
+// configuration, Open MPI would start a daemon and search for networks, which takes as long as the
+// start of LIGGGHTS. The session directory is disabled too. Without a daemon, all such processes
+// share it, and the first process that ends deletes it.
 void start_alone() {
   for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK"})
     if (std::getenv(name)) return;

@@ -29,7 +29,7 @@ from plastigran.usable_laws import laws_for
 POWERS = {
     "youngs_modulus": 1.0,
     "yield_strength": 0.8,
-    "tangent_modulus": 1.0,  # times the strain, which is proportional to a/R, scales as s^(4/5)
+    "tangent_modulus": 1.0,  # strain scales as a/R, s^(-1/5), so hardening scales as s^(4/5)
     "dissipative_constant": -0.4,  # a time, which scales like the contact duration
 }
 #: Power of s by which durations, overlaps and time steps are multiplied.

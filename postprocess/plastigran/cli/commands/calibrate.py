@@ -303,7 +303,7 @@ def _drops(arguments: argparse.Namespace) -> DropTest | None:
 
 
 def _plate(arguments: argparse.Namespace, default: str) -> Material | laws.Body | None:
-    """Return the body of --plate, or of a default word; None for the metal itself."""
+    """Return the plate of --plate or the default plate; None if it is of the calibrated metal."""
     plate = arguments.plate or default
     bodies = {RIGID_WALL: RIGID, METAL: None}
     return bodies[plate] if plate in bodies else read_material(plate)

@@ -40,7 +40,7 @@ def plate_figure(shot: pd.DataFrame) -> Figure:
 
 
 def bed_figure(shot: pd.DataFrame, by_depth: pd.DataFrame, diameter: float) -> Figure:
-    """Draw rebound / impact speed, with the law's curve for a plate, and plastic work by depth.
+    """Draw the ratio of rebound to impact speed with that on a plate, and plastic work by depth.
 
     Args:
         shot: Columns impact_speed, rebound_speed, rebound_predicted [m/s], one row per shot.
