@@ -187,7 +187,8 @@ Source: Johnson, Contact Mechanics (1985), sec. 3.4 and 4.1.)");
       R"(Return the factor by which the strain rate of an impact increases the yield strength [-].
 
 The factor is 1 + C ln(rate/reference_rate) above the reference rate and 1 below, rounded to
-multiples of 1e-4. C and E' belong to the weaker body. The rate is speed/R* (E*/E')^2.
+multiples of 1e-4. C and E' belong to the weaker body. The strain rate
+is (speed/R*) times (E*/E')^2.
 
 Args:
     pair: The two bodies.

@@ -58,7 +58,8 @@ typename Law::Parameters parse_constants(const MaterialPair& pair, const nb::dic
   return constants;
 }
 
-// Returns a table of a law as a list of dicts, one per row; `fill` adds the other entries of a row.
+// Returns a table of a law as a list of dicts, one per row. `fill` adds the entries that only this
+// table has.
 template <class Table, class Fill>
 nb::list rows(const Table& table, const Fill& fill) {
   nb::list all;

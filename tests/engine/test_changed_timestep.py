@@ -37,7 +37,7 @@ def last_position(folder: Path, more: str) -> float:
 def test_a_time_step_without_a_setup_is_refused(ranks, tmp_path):
     """Particles would move by the earlier step; everything else would use the new one."""
     message = error_of(tmp_path, DECK + "timestep 1e-6\nrun 1000 pre no", ranks)
-    assert "run ... pre no: timestep is 1e-06, but particles would move by 1e-05" in message
+    assert "run ... pre no: timestep is 1e-06, but particles would move with 1e-05" in message
     assert "Remove `pre no`" in message
 
 

@@ -30,8 +30,8 @@ COMBINATIONS = len(
         re.MULTILINE,
     )
 )
-# Relative tolerance. Both programs contain the same files, compiled with other optimization and
-# another layout of LIGGGHTS' data. Round-off may differ, and 1e4 steps may add it up to 1e-12. A
+# Relative tolerance. Both programs contain the same files, compiled with different optimization
+# and data layout. Round-off therefore differs and may accumulate to 1e-12 in 1e4 steps. A
 # wrong property, history value or combination would have a much larger effect.
 TOLERANCE = 1e-12
 

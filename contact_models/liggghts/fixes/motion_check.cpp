@@ -34,7 +34,7 @@ void MotionCheck::reset_dt() { timestep_ = update->dt; }
 void MotionCheck::pre_initial_integrate() {
   if (update->dt != timestep_) {
     std::ostringstream text;
-    text << "run ... pre no: timestep is " << update->dt << ", but particles would move by "
+    text << "run ... pre no: timestep is " << update->dt << ", but particles would move with "
          << timestep_ << ", the timestep of the last setup. Remove `pre no`, or give `timestep "
          << timestep_ << "` again";
     stop(lmp, text.str());

@@ -12,7 +12,7 @@ namespace plastigran {
 DissipationHeat::DissipationHeat(LAMMPS_NS::LAMMPS* engine, int count, char** words)
     : ContactObserver(engine, count, words) {
   if (count > 3)
-    fail(std::string("unknown word ") + words[3] + ". The line ends after heat/dissipation");
+    fail(std::string("unknown word ") + words[3] + ". Nothing may follow heat/dissipation");
   comm_reverse = 1;
   scalar_flag = vector_flag = 1;
   size_vector = ENTRIES;

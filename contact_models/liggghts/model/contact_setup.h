@@ -2,7 +2,7 @@
 //
 // Interface between a pair style or wall and its contact models. It provides data that LIGGGHTS
 // does not: the models named in the deck, the offset of each value in the contact history, and the
-// load that stores the energies of a contact.
+// object that stores the energies of a contact.
 #pragma once
 
 #include <cstddef>

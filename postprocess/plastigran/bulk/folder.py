@@ -33,7 +33,8 @@ SERIES = "series.csv"
 CHECKS = "checks.csv"
 #: File of grain positions; decks append frames to it.
 DUMP = "grains.dump"
-#: File of collision spectra. LIGGGHTS appends tables; a continued run removes later tables itself.
+#: File of collision spectra. LIGGGHTS appends tables. A run that continues from a checkpoint
+#: removes the tables that were written after the checkpoint.
 SPECTRA = "collision_spectra.csv"
 #: Files of a run, which are removed with the checkpoints before the run is overwritten.
 RUN_FILES = (

@@ -11,7 +11,7 @@ from plastigran.report.base import Evidence, Findings
 
 
 def add_evidence_arguments(command: argparse.ArgumentParser, results: str, pages: str) -> None:
-    """Add arguments for the folder of results and the pages.
+    """Add the arguments for the folder of results and for the pages of the docs to write.
 
     Args:
         command: Parser of the command.

@@ -126,7 +126,7 @@ def damping_ratio(coefficient_of_restitution: ArrayLike) -> np.ndarray:
 
 
 def restitution_without_pull(coefficient_of_restitution: ArrayLike) -> np.ndarray:
-    """Return the restitution of a damped Hertzian contact that ends at zero force [-], any shape.
+    """Return the restitution [-] of a damped Hertzian contact that ends at zero force.
 
     The dashpot is set for the restitution `coefficient_of_restitution` e of a contact that may
     attract until the overlap is zero. If the contact ends at zero force, the restitution is

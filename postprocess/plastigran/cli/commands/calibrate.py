@@ -172,7 +172,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         "--figure",
         type=Path,
         metavar="FILE.png",
-        help="file for a figure of the law and the drops or finite elements",
+        help="write a figure to this file: the calibrated law and the drops or finite elements",
     )
 
 
