@@ -56,8 +56,8 @@ class Jkr {
   }
 
   PLASTIGRAN_DEVICE Response respond(double radius_eff, double overlap, State& state) const {
-    if (state.in_contact == 0 && !(overlap > 0)) return {};
-    if (!(overlap >= contact_.pull_off_overlap(radius_eff))) {
+    if (!(overlap > 0) &&
+        (state.in_contact == 0 || !(overlap >= contact_.pull_off_overlap(radius_eff)))) {
       state.in_contact = 0;
       return {};
     }

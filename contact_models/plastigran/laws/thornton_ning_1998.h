@@ -21,6 +21,7 @@
 #pragma once
 
 #include "plastigran/shared/adhesion.h"
+#include "plastigran/tables/tabulated.h"
 
 namespace plastigran {
 
@@ -50,7 +51,16 @@ class ThorntonNing1998 {
   ThorntonNing1998(const MaterialPair& pair, const Parameters& constants)
       : contact_(pair.youngs_modulus_eff, constants.surface_energy),
         pressure_(pi * pair.yield_pressure),
-        guarded_(constants.energy_guard == 1) {}
+        guarded_(constants.energy_guard == 1),
+        root_unit_(contact_.pull() * contact_.modulus() / pressure_),
+        per_length_(contact_.pull() / (root_unit_ * root_unit_ * root_unit_)) {
+    const auto in_units = [this](double x) {
+      const Yield yield = computed_yield(x / per_length_, pressure_);
+      return std::array{yield.root / root_unit_, yield.pressure / pressure_};
+    };
+    constexpr double guard_ends = 2.7;
+    yields_ = Yields(1, in_units, std::array{guard_ends});
+  }
 
   double pull_off_distance(double radius_eff) const {
     return -contact_.pull_off_overlap(radius_eff);
@@ -64,8 +74,7 @@ class ThorntonNing1998 {
   }
   PLASTIGRAN_DEVICE double unloading_radius(double radius_eff, const State& state) const {  // R_p*
     if (state.contact_radius_max == 0) return radius_eff;
-    return flatten(radius_eff, yield_of(radius_eff, pressure_), std::sqrt(state.contact_radius_max))
-        .radius;
+    return flatten(radius_eff, yield_of(radius_eff, 1), std::sqrt(state.contact_radius_max)).radius;
   }
 
   PLASTIGRAN_DEVICE Response respond(double radius_eff, double overlap, State& state) const {
@@ -73,7 +82,7 @@ class ThorntonNing1998 {
   }
   PLASTIGRAN_DEVICE Response respond_stronger(double factor, double radius_eff, double overlap,
                                               State& state) const {
-    const Yield yield = yield_of(radius_eff, factor * pressure_);
+    const Yield yield = yield_of(radius_eff, factor);
     const double reached = std::sqrt(state.contact_radius_max);
     Flattened flattened{radius_eff, 0};
     if (reached > 0) flattened = flatten(radius_eff, yield, reached);
@@ -106,8 +115,16 @@ class ThorntonNing1998 {
     double radius, overlap;  // R_p*, overlap_p
   };
 
+  // Returns the values at yield with `factor` times the yield pressure.
+  PLASTIGRAN_DEVICE Yield yield_of(double radius_eff, double factor) const {
+    const double x = radius_eff * per_length_ * (factor * factor * factor);
+    if (!yields_.covers(x)) return computed_yield(radius_eff, factor * pressure_);
+    const auto [root, pressure] = yields_(x);
+    return {root_unit_ / factor * root, factor * pressure_ * pressure};
+  }
   // Returns s_y, the root of 2 s^3/R* - pi p_y/E* s - c, and the pressure of the guarded law.
-  PLASTIGRAN_DEVICE Yield yield_of(double radius_eff, double pressure) const {
+  [[gnu::noinline, gnu::cold]] PLASTIGRAN_DEVICE Yield computed_yield(double radius_eff,
+                                                                      double pressure) const {
     const double half = 0.25 * contact_.pull() * radius_eff;
     const double area = pressure * radius_eff / (2 * contact_.modulus()), scale = std::sqrt(area);
     double root = scale * root_at_yield(2 * half / (scale * area));
@@ -116,19 +133,20 @@ class ThorntonNing1998 {
     return {root, contact_.modulus() * 1.5 * contact_.pull() / root};
   }
 
-  PLASTIGRAN_DEVICE double force_beyond(double radius_eff, Yield yield, double s) const {
-    const double area = yield.root * yield.root;
-    return contact_.at(radius_eff, yield.root).force +
-           yield.pressure * (s * s * s * s - area * area) -
-           2 * contact_.modulus() * contact_.pull() * area * (s - yield.root);
+  // Returns F + 2 E* c s^3 beyond yield, which is the force of a contact of the same radius without
+  // adhesion. The condition of yield eliminates F_y.
+  PLASTIGRAN_DEVICE double force_without_pull(Yield yield, double s) const {
+    const double square = s * s, area = yield.root * yield.root;
+    const double pull = 2 * contact_.modulus() * contact_.pull();
+    constexpr double third = 1.0 / 3;
+    return yield.pressure * (square * square - third * (area * area)) +
+           pull * (square * s - area * (s - third * yield.root));
   }
 
   PLASTIGRAN_DEVICE Flattened flatten(double radius_eff, Yield yield, double s) const {
-    const double cube = s * s * s, modulus = contact_.modulus();
-    const double without_pull =
-        force_beyond(radius_eff, yield, s) + 2 * modulus * contact_.pull() * cube;
-    const double radius = 4.0 / 3.0 * modulus * cube * cube / without_pull;
-    return {radius, cube * s * (1 / radius_eff - 1 / radius)};
+    const double cube = s * s * s, hertz = 4.0 / 3.0 * contact_.modulus() * cube * cube;
+    const double without_pull = force_without_pull(yield, s);
+    return {hertz / without_pull, cube * s * (1 / radius_eff - without_pull * (1 / hertz))};
   }
 
   // Returns the plastic work [J]: energy at yield plus the work beyond yield, minus the energy on
@@ -159,6 +177,11 @@ class ThorntonNing1998 {
   JkrContact contact_;
   double pressure_;  // pi p_y
   bool guarded_;
+  // s_y/root_unit_ and the pressure of the guarded law over pi p_y, as functions of R* per_length_.
+  typedef Tabulated<2, 10, 20, 96> Yields;
+  double root_unit_;   // c E*/(pi p_y)
+  double per_length_;  // (pi p_y/E*)^3/c^2
+  Yields yields_;
 };
 
 }  // namespace plastigran

@@ -91,6 +91,7 @@ class Adhesive {
       : law_(pair, constants),
         contact_(pair.youngs_modulus_eff, constants.surface_energy),
         elastic_range_(law_.elastic_range()),
+        yield_radius_ratio_(std::sqrt(elastic_range_)),
         onset_(0.5 * contact_.pull() / std::pow(elastic_range_, 0.75)),
         work_(law_),
         loaded_(
@@ -124,8 +125,8 @@ class Adhesive {
     if (before.overlap_max == 0) return contact_.energy_at_end(radius_eff, forms);
     const Peak peak = peak_of(radius_eff, before);
     double broken = -2, joined = 0;  // (overlap - overlap_res)/(overlap_max - overlap_res)
-    if (!forms) halve(broken, joined, [&](double beyond) { return root(peak, beyond) > 0; });
-    const Response end = unloading(peak, root(peak, joined));
+    if (!forms) halve(broken, joined, [&](double beyond) { return point(peak, beyond).w > 0; });
+    const Response end = unloading(peak, point(peak, joined));
     return end.elastic_energy + end.surface_energy;
   }
 
@@ -143,26 +144,21 @@ class Adhesive {
         return {};
       }
       state.in_contact = 1;
-      const double s = contact_.root(radius_eff, overlap), without = s * s * s * s / radius_eff;
+      const double s = contact_.root(radius_eff, overlap), without = overlap + contact_.pull() * s;
       if (!(without > overlap_y(radius_eff, state))) return contact_.at(radius_eff, s);
-      state.overlap_max = without;
-      const Peak peak = peak_of(radius_eff, state);
-      return with_work(unloading(peak, 1), peak, radius_eff, state);
+      return loading(radius_eff, s, without, state);
     }
-    const double reached = state.overlap_max - pull_of(radius_eff, state.overlap_max);
-    double w = 1;
-    if (overlap > reached) {
-      const double s = contact_.root(radius_eff, overlap);
-      state.overlap_max = std::max(state.overlap_max, s * s * s * s / radius_eff);
+    const double pull = pull_of(radius_eff, state.overlap_max);
+    if (overlap > state.overlap_max - pull) {
+      const double s = contact_.root(radius_eff, overlap), without = overlap + contact_.pull() * s;
+      return loading(radius_eff, s, std::max(state.overlap_max, without), state);
     }
-    const Peak peak = peak_of(radius_eff, state);
-    if (!(overlap > reached)) {
-      const double beyond =
-          1 - peak.pull * peak.inverse_recovery - (reached - overlap) * peak.inverse_recovery;
-      w = state.in_contact == 0 && !(beyond > 0) ? 0 : root(peak, beyond);
-    }
-    state.in_contact = w > 0;
-    return with_work(w > 0 ? unloading(peak, w) : Response(), peak, radius_eff, state);
+    const Peak peak = peak_of(radius_eff, state, pull);
+    const double beyond = 1 - (state.overlap_max - overlap) * peak.inverse_recovery;
+    Point at{};
+    if (state.in_contact != 0 || beyond > 0) at = point(peak, beyond);
+    state.in_contact = at.w > 0;
+    return with_work(at.w > 0 ? unloading(peak, at) : Response(), peak, radius_eff, state);
   }
 
  private:
@@ -203,6 +199,10 @@ class Adhesive {
   PLASTIGRAN_DEVICE double overlap_y(double radius_eff, const State& state) const {
     return state.strength_factor * state.strength_factor * elastic_range_ * radius_eff;
   }
+  // Returns a_y.
+  PLASTIGRAN_DEVICE double yield_radius(double radius_eff, const State& state) const {
+    return state.strength_factor * yield_radius_ratio_ * radius_eff;
+  }
   // Returns the number B of a contact.
   PLASTIGRAN_DEVICE double number(double radius_eff, const State& state) const {
     const double k = state.strength_factor;
@@ -212,11 +212,23 @@ class Adhesive {
   PLASTIGRAN_DEVICE double pull_of(double radius_eff, double overlap_max) const {
     return contact_.pull() * std::sqrt(std::sqrt(radius_eff * overlap_max));
   }
+  // Returns the response of first loading to overlap_1 = `without`, where JKR has the root s.
+  PLASTIGRAN_DEVICE Response loading(double radius_eff, double s, double without,
+                                     State& state) const {
+    state.in_contact = 1;
+    state.overlap_max = without;
+    const Peak peak = peak_of(radius_eff, state, contact_.pull() * s);
+    return with_work(unloading(peak, largest()), peak, radius_eff, state);
+  }
+
   PLASTIGRAN_DEVICE Peak peak_of(double radius_eff, const State& state) const {
+    return peak_of(radius_eff, state, pull_of(radius_eff, state.overlap_max));
+  }
+  PLASTIGRAN_DEVICE Peak peak_of(double radius_eff, const State& state, double pull) const {
     const double unit = overlap_y(radius_eff, state), per_unit = 1 / unit;
     const double x = state.overlap_max * per_unit;
     const Values at = loaded_.covers(x) ? loaded_(x) : computed(x);
-    const double radius_y = std::sqrt(unit * radius_eff);  // a_y
+    const double radius_y = yield_radius(radius_eff, state);
     const double stiffness = 4.0 / 3.0 * contact_.modulus() * radius_y;
     double slope = stiffness * at[SLOPE], inverse_recovery = per_unit * at[INVERSE_RECOVERY];
     if constexpr (may_stiffen) {
@@ -227,7 +239,7 @@ class Adhesive {
     if constexpr (Rebound::has_shape) shape_at_x = at[shape];
     return {stiffness * unit * at[FORCE],
             slope,
-            pull_of(radius_eff, state.overlap_max),
+            pull,
             radius_y * at[RADIUS],
             inverse_recovery,
             shape_at_x};
@@ -238,23 +250,66 @@ class Adhesive {
   PLASTIGRAN_DEVICE double pull_off_force(const Peak& peak) const {
     const double b = peak.pull * peak.inverse_recovery;
     if constexpr (Rebound::is_hertzian) return 0.375 * peak.slope * peak.pull * b;
-    const ShapeOfUnloading at = work_.rebound().shape_at(std::cbrt(0.75 * b), peak.shape);
-    return peak.slope * peak.pull * at.slope * std::sqrt(at.slope) - peak.force * at.force;
+    const Point at = point_at(peak, cube_root(0.75 * b));
+    const double root = at.root_of_slope;
+    return peak.slope * peak.pull * (root * root * root) - peak.force * at.force;
   }
 
-  // Returns w on unloading, where w^4 = (overlap_1 - overlap_res)/(overlap_max - overlap_res).
-  // `beyond` is the same ratio with the overlap instead of overlap_1. w is the largest root of
-  // w^4 - b S^(1/2)/S_max^(1/2) = beyond; 0 if there is none, because the contact breaks.
-  PLASTIGRAN_DEVICE double root(const Peak& peak, double beyond) const {
+  // Point of unloading at w, where y = w^4 = (overlap_1 - overlap_res)/(overlap_max - overlap_res).
+  // Force and square root of the slope are relative to those at the largest overlap.
+  struct Point {
+    double w, force, root_of_slope;
+  };
+  PLASTIGRAN_DEVICE static Point largest() { return {1, 1, 1}; }
+
+  PLASTIGRAN_DEVICE Point point_at(const Peak& peak, double w) const {
+    const ShapeOfUnloading at = work_.rebound().shape_at(w, peak.shape);
+    return {w, at.force, at.root_of_slope};
+  }
+
+  // Returns the point of unloading at an overlap. `beyond` is y with the overlap instead of
+  // overlap_1. w is the largest root of w^4 - b S^(1/2)/S_max^(1/2) = beyond; 0 if there is none,
+  // because the contact breaks.
+  PLASTIGRAN_DEVICE Point point(const Peak& peak, double beyond) const {
     const double b = peak.pull * peak.inverse_recovery;
-    if (b == 0) return beyond > 0 ? std::sqrt(std::sqrt(beyond)) : 0;
-    double w = adhesive_root(beyond, b);
-    if constexpr (!Rebound::is_hertzian) {
-      w = refined_root(peak.shape, b, beyond, w);
-      return w > 0 ? w : refined_root(peak.shape, b, beyond, 1);
+    if constexpr (Rebound::is_hertzian) {
+      const double w = adhesive_root(beyond, b);
+      // At the least w there is no root below the least value.
+      const bool joined =
+          beyond > 0 || 4 * w * w * w > b * (1 + 1e-7) || w * (w * w * w - b) <= beyond;
+      return point_at(peak, joined ? w : 0);
+    } else {
+      return point_of_any_shape(peak, b, beyond);
     }
-    // At the least w there is no root below the least value.
-    return beyond > 0 || 4 * w * w * w > b * (1 + 1e-7) || w * (w * w * w - b) <= beyond ? w : 0;
+  }
+  // Solves the equation for y by Newton's method, because it is nearly linear in y for weak
+  // adhesion. The start is the series of the solution for a slope that is a power of y.
+  PLASTIGRAN_DEVICE Point point_of_any_shape(const Peak& peak, double b, double beyond) const {
+    const double start = std::sqrt(std::sqrt(beyond));
+    ShapeOfUnloading at = work_.rebound().shape_at(start, peak.shape);
+    const double e = b * at.root_of_slope * (1 / beyond);
+    if (!(beyond > 0 && e <= 0.5)) return point_near_pull_off(peak, b, beyond);
+    double w = start * (1 + e * (0.25 + e * (0.0625 * at.exponent - 0.09375)));
+    for (;;) {
+      at = work_.rebound().shape_at(w, peak.shape);
+      const double y = w * w * (w * w), pulled = b * at.root_of_slope, power = 0.25 * at.exponent;
+      const double change = (beyond + pulled - y) / (y - power * pulled);
+      w *= 1 + change * (0.25 - change * (0.09375 - 0.0546875 * change));
+      // The relative error of y is less than a tenth of this limit. After such a small change, two
+      // terms of a series give the shape.
+      if (!(e * change * change > 1e-11)) {
+        const double root =
+            at.root_of_slope * (1 + power * change * (1 + 0.5 * (power - 1) * change));
+        const double slopes = at.root_of_slope * at.root_of_slope + root * root;
+        const double rise = 0.5 * Rebound::largest_slope(peak.shape) * y * change * slopes;
+        return {w, at.force + rise, root};
+      }
+    }
+  }
+  [[gnu::noinline]] PLASTIGRAN_DEVICE Point point_near_pull_off(const Peak& peak, double b,
+                                                                double beyond) const {
+    const double w = refined_root(peak.shape, b, beyond, adhesive_root(beyond, b));
+    return point_at(peak, w > 0 ? w : refined_root(peak.shape, b, beyond, 1));
   }
   // Improves the root by Newton's method. The function is convex where it rises, so w decreases in
   // all steps except the first ones. After a step of 1e-7 the error is about 1e-14, because each
@@ -262,10 +317,10 @@ class Adhesive {
   PLASTIGRAN_DEVICE double refined_root(double shape_at_x, double b, double beyond,
                                         double w) const {
     for (int k = 0; k < 100; ++k) {
-      const RootOfSlope at = work_.rebound().root_of_slope(w, shape_at_x);
-      const double cube = w * w * w, rise = 4 * cube - b * at.derivative;
+      const ShapeOfUnloading at = work_.rebound().shape_at(w, shape_at_x);
+      const double cube = w * w * w, rise = 4 * cube - b * at.root_of_slope * at.exponent / w;
       if (!(rise > 0)) return 0;
-      const double step = (cube * w - b * at.value - beyond) / rise;
+      const double step = (cube * w - b * at.root_of_slope - beyond) / rise;
       w -= step;
       if (!(w > 0)) return 0;
       if (std::abs(step) <= 1e-7 * w || (k > 8 && step <= 0)) return std::min(w, 1.0);
@@ -273,15 +328,17 @@ class Adhesive {
     return 0;
   }
 
-  PLASTIGRAN_DEVICE Response unloading(const Peak& peak, double w) const {
-    const ShapeOfUnloading at = work_.rebound().shape_at(w, peak.shape);
-    const double slope = peak.slope * at.slope, pull = peak.pull * std::sqrt(at.slope);
+  PLASTIGRAN_DEVICE Response unloading(const Peak& peak, const Point& at) const {
+    const double slope = peak.slope * (at.root_of_slope * at.root_of_slope);
+    const double pull = peak.pull * at.root_of_slope;
     const double force = peak.force * at.force, pulling = slope * pull;
     Response response;
     response.force = force - pulling;
-    response.contact_radius = peak.contact_radius * at.contact_radius;
+    response.contact_radius =
+        peak.contact_radius * work_.rebound().contact_radius_at(at.w, at.root_of_slope, peak.shape);
     response.elastic_energy =
-        peak.force / peak.inverse_recovery * at.energy - (force - 0.5 * pulling) * pull;
+        peak.force / peak.inverse_recovery * work_.rebound().energy_at(at.w, peak.shape) -
+        (force - 0.5 * pulling) * pull;
     response.surface_energy = -0.25 * pulling * pull;
     response.pull_off_force = pull_off_force(peak);
     return response;
@@ -291,18 +348,19 @@ class Adhesive {
   PLASTIGRAN_DEVICE Response with_work(Response response, const Peak& peak, double radius_eff,
                                        const State& state) const {
     const double unit = overlap_y(radius_eff, state);
-    const Response largest = unloading(peak, 1);
-    response.plastic_work = 4.0 / 3.0 * contact_.modulus() * std::sqrt(unit * radius_eff) * unit *
-                                unit *
+    const Response at_largest = unloading(peak, largest());
+    response.plastic_work = 4.0 / 3.0 * contact_.modulus() * yield_radius(radius_eff, state) *
+                                unit * unit *
                                 work_(law_, state.overlap_max / unit, number(radius_eff, state)) -
-                            largest.elastic_energy - largest.surface_energy;
+                            at_largest.elastic_energy - at_largest.surface_energy;
     return response;
   }
 
   Law law_;
   JkrContact contact_;
-  double elastic_range_;  // overlap_y/R*
-  double onset_;          // b R*^(1/2) [m^(1/2)]
+  double elastic_range_;       // overlap_y/R*
+  double yield_radius_ratio_;  // a_y/R*
+  double onset_;               // b R*^(1/2) [m^(1/2)]
   WorkOfLoading<Law> work_;
   Tabulated<quantities> loaded_;
 };

@@ -67,7 +67,7 @@ class WorkOfLoading {
     const double recovery = 1 / at.inverse_recovery;
     return {at.force,          Rebound::largest_slope(at.shape) * at.force / recovery,
             at.contact_radius, recovery,
-            at.shape,          at.force * recovery * rebound_.shape_at(1, at.shape).energy};
+            at.shape,          at.force * recovery * rebound_.energy_at(1, at.shape)};
   }
 
   // Returns the work of first loading to x, divided by F_y overlap_y.

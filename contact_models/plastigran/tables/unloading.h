@@ -34,15 +34,14 @@ struct Peak {
   double plastic_work;
 };
 
-// Shape of the unloading curve at y = w^4, from which adhesive.h computes adhesion: force, slope
-// and contact radius relative to those at the largest overlap, and elastic energy relative to
-// F_max (overlap_max - overlap_res).
+// Shape of the unloading curve at y = w^4, from which adhesive.h computes adhesion: force and
+// square root of the slope, relative to those at the largest overlap, and the logarithmic
+// derivative d ln(root_of_slope)/d ln(w).
+//
+// A shape also has the functions contact_radius_at and energy_at: contact radius relative to that
+// at the largest overlap, and elastic energy relative to F_max (overlap_max - overlap_res).
 struct ShapeOfUnloading {
-  double force, slope, contact_radius, energy;
-};
-// Square root of the slope, and its derivative with respect to w.
-struct RootOfSlope {
-  double value, derivative;
+  double force, root_of_slope, exponent;
 };
 
 // Base of the shapes: Hertz contact below yield.
@@ -106,12 +105,14 @@ class PowerOfOverlap : public HertzBelowYield {
   PLASTIGRAN_DEVICE static double largest_slope(double exponent) { return exponent; }
   PLASTIGRAN_DEVICE ShapeOfUnloading shape_at(double w, double exponent) const {
     const double root = w * w, y = root * root;
+    if constexpr (is_hertzian) return {y * root, w, 1};
     const double force = power_.share(y, root, exponent);
-    return {force, y > 0 ? force / y : 0, root, force * y / (exponent + 1)};
+    return {force, y > 0 ? std::sqrt(force / y) : 0, 2 * (exponent - 1)};
   }
-  PLASTIGRAN_DEVICE RootOfSlope root_of_slope(double w, double exponent) const {
-    const double value = std::sqrt(shape_at(w, exponent).slope);
-    return {value, 2 * (exponent - 1) * value / w};
+  PLASTIGRAN_DEVICE static double contact_radius_at(double w, double, double) { return w * w; }
+  PLASTIGRAN_DEVICE double energy_at(double w, double exponent) const {
+    const double root = w * w, y = root * root;
+    return power_.share(y, root, exponent) * y / (exponent + 1);
   }
 
  private:
@@ -146,18 +147,18 @@ class SteepeningUnloading : public HertzBelowYield {
   PLASTIGRAN_DEVICE Response at_largest(const Peak& peak) const { return scaled(peak, 1, 1, 1); }
 
   PLASTIGRAN_DEVICE static double largest_slope(double steepness) { return 1 + 0.5 / steepness; }
-  PLASTIGRAN_DEVICE ShapeOfUnloading shape_at(double w, double steepness) const {
-    const double root = w * w, square = root * root, g = steepness - 1;
-    const double steeper = steepness / (1 + g * root);
-    const double slope = root * steeper * steeper * ((3 + 2 * g * root) / (3 + 2 * g));
-    return {square * root * steeper, slope, slope,
-            steepness * square * square * root * work(g * root)};
+  PLASTIGRAN_DEVICE static ShapeOfUnloading shape_at(double w, double steepness) {
+    const double root = w * w, g = steepness - 1, gz = g * root, one = 1 + gz, three = 3 + 2 * gz;
+    const double inverse = 1 / (one * three), steeper = steepness * (inverse * three);
+    return {root * root * root * steeper, w * steeper * std::sqrt(three * (1 / (3 + 2 * g))),
+            1 - 2 * gz * (2 + gz) * inverse};
   }
-  PLASTIGRAN_DEVICE static RootOfSlope root_of_slope(double w, double steepness) {
-    const double g = steepness - 1, gz = g * w * w;
-    const double steeper = steepness / (1 + gz);
-    const double value = w * steeper * std::sqrt((3 + 2 * gz) / (3 + 2 * g));
-    return {value, value * (1 / w + 2 * w * g * (1 / (3 + 2 * gz) - 1 / (1 + gz)))};
+  PLASTIGRAN_DEVICE static double contact_radius_at(double, double root_of_slope, double) {
+    return root_of_slope * root_of_slope;
+  }
+  PLASTIGRAN_DEVICE double energy_at(double w, double steepness) const {
+    const double root = w * w, square = root * root;
+    return steepness * square * square * root * work((steepness - 1) * root);
   }
 
  private:
