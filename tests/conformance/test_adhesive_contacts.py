@@ -278,7 +278,7 @@ BAD = {
         "jkr",
         {"models": "rolling_friction epsd", "tangential": "history"},
     ),
-    "contact of the smallest particles": ("jkr", {"values": {"surface_energy": 900}}),
+    "keeps the smallest particles": ("jkr", {"values": {"surface_energy": 900}}),
     "model universal adhesion jkr: surfaceEnergy is missing": (
         "universal adhesion jkr",
         {"values": {}},

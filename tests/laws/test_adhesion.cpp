@@ -144,6 +144,22 @@ TEST_CASE_TEMPLATE("energies grow by the work of the force", Law, Jkr, ThorntonN
   }
 }
 
+// The polynomial for weak adhesion and the closed form meet at b = x^(3/4). 4e-15: round-off of w^4
+// and of the polynomial.
+TEST_CASE("the root of the JKR equation solves it for any adhesion") {
+  for (double x = 1e-12; x < 1; x *= 3)
+    for (double e = 0; e < 4; e += 0.01) {
+      const double b = e * std::pow(x, 0.75), w = adhesive_root(x, b), fourth = w * w * w * w;
+      REQUIRE(std::abs(fourth - b * w - x) <= 4e-15 * fourth);
+    }
+}
+
+TEST_CASE("the cube root of the force loop is a cube root") {
+  CHECK(cube_root(0) < 1e-90);
+  for (double x = 1e-9; x < 10; x *= 1.01)
+    REQUIRE(cube_root(x) == doctest::Approx(std::cbrt(x)).epsilon(1e-14));  // round-off
+}
+
 TEST_CASE("without adhesion Thornton & Ning's law is Thornton's, without yield it is JKR") {
   const MaterialPair strong = combine({1.2e9, 0.3, 1e20}, {1.8e11, 0.3, 1e30});
   const ThorntonNing1998 no_adhesion(powder, {0}), no_yield(strong, {0.2});
