@@ -96,7 +96,7 @@ def test_vibrating_sphere_names_its_modes(capsys):
         ),
         (
             ["fem", "throw", *METAL, "--speed", "1", *SOFT_PLANE, "--plane-hardening", "1e8"],
-            "needs --plane-yield",
+            "--plane-yield is missing",
         ),
         (["fem", "vibrate", *METAL[:4], "--speed", "900"], "speed of sound"),
         (["fem", "vibrate", *METAL[:4], "--speed", "500"], "times the radius; the largest is 0.5"),
