@@ -147,6 +147,52 @@ def test_force_is_that_of_the_law(law, tmp_path):
     assert max(errors) < 1e-9 * largest
 
 
+#: Terms of the energy balance.
+LEDGER = """timestep 3e-7
+variable drift equal f_energy_ledger[9]
+variable friction equal f_energy_ledger[5]
+variable springs equal f_energy_ledger[10]
+variable force_x equal fx[1]
+thermo_style custom step v_drift v_friction v_springs v_force_x
+thermo_modify lost error format float %.15g
+thermo 1"""
+
+
+@pytest.mark.parametrize("strength", [1e15, 1e8])
+@pytest.mark.parametrize("law", LAWS)
+def test_friction_adds_no_error_to_the_energy_balance(law, strength, tmp_path):
+    """An impact at about the recommended time step, elastic and plastic, at 20 and 70 degrees.
+
+    Friction does not change the normal motion, so the balance error of the normal motion is that of
+    an impact without friction. The rest is the error of friction. Velocity Verlet leaves an error
+    of 7/16 (T dt)^2/m while the tangential force T acts, and none after it.
+
+    1e-6 of the kinetic energy: target of the balance error, set before the first run. The dissipated
+    work, friction less the energy of the springs, does not fall, except for the error of the
+    trapezoidal rule. 1e-5 of the kinetic energy: the first run gave 1.4e-6, and 1e-6 was too low.
+    """
+    for angle in (20, 70):
+        drifts = []
+        for tangential in (law, "off"):
+            lines = LINES.format(law=tangential, normal="thornton").replace(
+                "zplane 0.0", "zplane 0.0 energy_ledger on"
+            )
+            lines = lines.replace("\npair_coeff", " energy_ledger on\npair_coeff")
+            speeds = {"along": sin(radians(angle)), "into": -cos(radians(angle))}
+            text = DECK.format(lines=lines, report=LEDGER, steps=150, strength=strength, **speeds)
+            (tmp_path / "ledger.in").write_text(text)
+            run_deck(tmp_path / "ledger.in", {}, tmp_path)
+            terms = read_thermo(tmp_path / "log.liggghts")
+            drifts.append(terms.drift)
+            dissipated = terms.friction - terms.springs
+            assert dissipated.diff().min() >= -1e-5 * MASS / 2
+            assert (dissipated.iloc[-1] > 0.01 * MASS / 2) == (tangential == law)
+            if tangential == law:
+                known = 7 / 16 * (terms.force_x * 3e-7) ** 2 / MASS
+        error = (drifts[0] - drifts[1]).abs()
+        assert (error - known).abs().max() < 1e-6 * MASS / 2
+
+
 #: Two spheres move on given paths. They load their contact, slide until it slips, and rotate like a
 #: rigid body about an axis between the normal and the direction of sliding.
 PAIR = """
