@@ -143,6 +143,7 @@ class TangentialLawModel : public LIGGGHTS::ContactModels::TangentialModelBase {
       const Vector3 omega_i = vector(contact.omega_i);
       const Vector3 omega = contact.is_wall ? omega_i : omega_i + vector(contact.omega_j);
       motion.displacement = dt * velocity;
+      motion.separation = dt * contact.vn;
       motion.spin = 0.5 * dt * dot(omega, motion.normal);
       // The history has the layout of the state (see the assertion above).
       response = Law(friction).respond(load, motion, *reinterpret_cast<State*>(history));

@@ -39,12 +39,14 @@ class Incremental {
   PLASTIGRAN_DEVICE TangentialResponse respond(const NormalLoad& load,
                                                const TangentialMotion& motion, State& state) const {
     const Vector3 before = FrameRotation(state.normal, motion)(state.force);
+    const Vector3 centered = centered_displacement(state.normal, motion);
+    const Vector3 displacement = centered - dot(centered, motion.normal) * motion.normal;
     const double energy_before =
         state.stiffness > 0 ? dot(before, before) / (2 * state.stiffness) : 0;
     TangentialResponse response;
     if (load.force > 0 && load.stiffness > 0) {
       const double scale = load.stiffness < state.stiffness ? load.stiffness / state.stiffness : 1;
-      response.force = scale * before + load.stiffness * motion.displacement;
+      response.force = scale * before + load.stiffness * displacement;
       const double square = dot(response.force, response.force);
       const double limit = friction_ * load.force;
       if (square > limit * limit) response.force = limit / std::sqrt(square) * response.force;
@@ -53,8 +55,8 @@ class Incremental {
     } else {
       state = State();
     }
-    response.friction_work = 0.5 * dot(before + response.force, motion.displacement) -
-                             (response.stored_energy - energy_before);
+    response.friction_work =
+        0.5 * dot(before + response.force, displacement) - (response.stored_energy - energy_before);
     return response;
   }
 

@@ -66,7 +66,7 @@ class PartialSlip {
     Diagram rings = rings_of(state);
     const int count_before = rings.count;
     const Frame frame(state, motion);
-    const Plane along = frame.in_plane(motion.displacement);
+    const Plane along = frame.in_plane(centered_displacement(state.normal, motion));
     const double edge = cube_root(load.force, rings.edge(rings.count - 1));
     const Sum before = rings.sum();
     const double compliance = rings.follow(state.compliance, 1.5 * edge / load.stiffness);
@@ -80,7 +80,7 @@ class PartialSlip {
     state.normal = motion.normal;
     state.x_axis = frame.x;
     state.compliance = compliance;
-    for (int k = rings.count; k < count_before; ++k) state.rings[k] = Ring();
+    for (int k = count_before - 1; k >= rings.count; --k) state.rings[k] = Ring();
     return response;
   }
 

@@ -53,10 +53,21 @@ struct NormalLoad {
 
 // Relative motion of the two bodies in a step.
 struct TangentialMotion {
-  Vector3 displacement;  // displacement of the first body's surface relative to the second's [m]
-  Vector3 normal;        // unit vector of the contact at the end of the step
-  double spin = 0;       // rotation of the pair about the normal, mean of both bodies [rad]
+  Vector3 displacement;   // displacement of the first body's surface relative to the second's [m]
+  Vector3 normal;         // unit vector of the contact at the end of the step
+  double spin = 0;        // rotation of the pair about the normal, mean of both bodies [rad]
+  double separation = 0;  // displacement along the normal, positive if the bodies separate [m]
 };
+
+// Returns the tangential displacement of a step, up to a part along the new normal. Velocity Verlet
+// gives the displacement of the step, and the normal at its end. The plane of the displacement is
+// that in the middle of the step, so a part of the separation is tangential. Without this part, the
+// error of the force is of first order in the step (Vyas, Ottino, Lueptow & Umbanhowar 2025,
+// Comput. Phys. Commun. 310:109524). `before` is the old normal, zero before first touch.
+PLASTIGRAN_DEVICE inline Vector3 centered_displacement(const Vector3& before,
+                                                       const TangentialMotion& motion) {
+  return motion.displacement - 0.5 * motion.separation * before;
+}
 
 struct TangentialResponse {
   Vector3 force;             // along the displacement; -force acts on the first body [N]
