@@ -7,6 +7,9 @@
 #include <fstream>
 #include <sstream>
 
+#include "plastigran/friction/incremental.h"
+#include "plastigran/friction/partial_slip.h"
+
 namespace plastigran {
 
 namespace {
@@ -49,6 +52,38 @@ bool is_restitution(const std::vector<std::string>& models) {
   const auto damping = std::find(models.begin(), models.end(), "damping");
   return damping != models.end() && damping + 1 != models.end() &&
          (damping[1] == "tsuji" || damping[1] == "coeff_restitution");
+}
+
+// Reads a tangential law, and puts LAMMPS' model `mindlin` in the place of its words.
+Complaint read_tangential(std::vector<std::string>& models, TangentialLine& line) {
+  const auto at = std::find(models.begin(), models.end(), "tangential");
+  if (models.end() - at < 2) return {};
+  const std::string name = at[1];
+  if (name != Incremental::name && name != PartialSlip<>::name) return {};
+  line.law = name;
+  line.rings = PartialSlip<>::default_rings;
+  auto end = at + 2;
+  const std::string friction = end != models.end() ? *end++ : "";
+  if (!to_number(friction, line.friction) || !(line.friction >= 0))
+    return Complaint("after `tangential " + name + "` comes `" + friction +
+                     "`; it must be the coefficient of friction, 0 or more");
+  if (name == PartialSlip<>::name && end != models.end() && *end == "rings") {
+    const std::string rings = ++end != models.end() ? *end++ : "";
+    double number = 0;
+    if (!to_number(rings, number) || number != static_cast<int>(number) || number < 2 ||
+        number > PartialSlip<>::most_rings)
+      return Complaint("{rings} is `" + rings + "`; it must be a whole number, 2 to " +
+                       std::to_string(PartialSlip<>::most_rings));
+    line.rings = static_cast<int>(number);
+  }
+  if (std::find(models.begin(), models.end(), "marshall") != models.end())
+    return Complaint(
+        "`twisting marshall` needs a tangential model of LAMMPS; choose `twisting sds`");
+  const std::vector<std::string> rest(end, models.end());
+  models.erase(at + 1, models.end());
+  models.insert(models.end(), {"mindlin", "NULL", "0", friction});
+  models.insert(models.end(), rest.begin(), rest.end());
+  return {};
 }
 
 }  // namespace
@@ -115,6 +150,8 @@ Complaint ContactLine::read(const std::vector<std::string>& line) {
     }
   }
   models.assign(line.begin() + static_cast<std::ptrdiff_t>(at), line.end());
+  const Complaint complaint = read_tangential(models, tangential);
+  if (!complaint.empty()) return complaint;
   double restitution = 0;
   if (is_restitution(models) && to_number(viscous, restitution) && restitution > 1)
     return Complaint("{viscous} is " + viscous +

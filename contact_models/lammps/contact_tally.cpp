@@ -16,8 +16,8 @@ void ContactTally::begin(LAMMPS_NS::LAMMPS* lammps) {
   nlocal_ = atom->nlocal;
   velocities_ = atom->nmax > 0 ? atom->v[0] : nullptr;
   balance_ = EnergyBalance::of(lammps);
-  contacts = elastic_energy = surface_energy = 0;
-  force_on_wall = {};
+  contacts = elastic_energy = surface_energy = spring_energy = 0;
+  wall_load_ = WallLoad();
 }
 
 // Adds half of the plastic work to each particle of a pair. With `newton off`, the rank that owns
@@ -35,7 +35,7 @@ void ContactTally::add_loads(const GranularModel& contact, double viscous) {
   if (!active_) return;
   const bool is_pair = contact.contact_type == LAMMPS_NS::Granular_NS::PAIR;
   if (!is_pair)
-    for (int k = 0; k < 3; ++k) force_on_wall[k] -= contact.forces[k];
+    for (int k = 0; k < 3; ++k) wall_load_.force[k] += contact.forces[k];
   if (!balance_) return;
   ParticleLoad on_i, on_j;
   for (int k = 0; k < 3; ++k) {
@@ -47,10 +47,15 @@ void ContactTally::add_loads(const GranularModel& contact, double viscous) {
     on_j.torque[k] = contact.torquesj[k];
   }
   balance_->add_load(index(contact.vi), on_i);
-  if (!is_pair)
+  if (!is_pair) {
     balance_->add_wall(contact.forces, on_i, contact.vj);
-  else if (!is_shared(contact))
+    for (int k = 0; k < 3; ++k) {
+      wall_load_.lossy.friction[k] += on_i.friction[k];
+      wall_load_.lossy.dashpot[k] += on_i.dashpot[k];
+    }
+  } else if (!is_shared(contact)) {
     balance_->add_load(index(contact.vj), on_j);
+  }
 }
 
 }  // namespace plastigran

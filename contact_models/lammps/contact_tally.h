@@ -4,8 +4,6 @@
 // torques for the energy balance. If two ranks compute a contact, each counts half of its energies.
 #pragma once
 
-#include <array>
-
 #include "lammps/energy_balance.h"
 #include "lammps/granular_interface.h"
 #include "plastigran/shared/contact.h"
@@ -37,11 +35,24 @@ class ContactTally {
   // force on the first particle [N].
   void add_loads(const LAMMPS_NS::Granular_NS::GranularModel& contact, double viscous);
 
+  // Adds the energy of a tangential spring [J].
+  void add_spring(const LAMMPS_NS::Granular_NS::GranularModel& contact, double energy) {
+    if (active_) spring_energy += (is_shared(contact) ? 0.5 : 1) * energy;
+  }
+
   // Sums over the contacts of this rank: number, and energies [J].
-  double contacts = 0, elastic_energy = 0, surface_energy = 0;
-  double furthest = 1;  // largest overlap divided by the limit of the law, if above 1
-  std::array<double, 3> force_on_wall{};  // [N]
-  bool lacks_loads = false;               // whether a heat model of the deck excludes LoadModel
+  double contacts = 0, elastic_energy = 0, surface_energy = 0, spring_energy = 0;
+  double furthest = 1;       // largest overlap divided by the limit of the law, if above 1
+  bool lacks_loads = false;  // whether a heat model of the deck excludes LoadModel
+
+ protected:
+  // Forces of a wall on all particles of this rank.
+  struct WallLoad {
+    double force[3]{};  // [N]
+    ParticleLoad lossy;
+  };
+  WallLoad wall_load_;
+  EnergyBalance* balance_ = nullptr;
 
  private:
   int index(const double* velocity) const { return static_cast<int>((velocity - velocities_) / 3); }
@@ -56,7 +67,6 @@ class ContactTally {
   bool active_ = false, newton_ = true;
   int nlocal_ = 0;
   const double* velocities_ = nullptr;
-  EnergyBalance* balance_ = nullptr;
 };
 
 }  // namespace plastigran

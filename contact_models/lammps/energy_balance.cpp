@@ -15,6 +15,7 @@
 #include "lammps/contact_tally.h"
 #include "lammps/load_model.h"
 #include "lammps/pair_style.h"
+#include "lammps/particle_values.h"
 #include "modify.h"
 #include "update.h"
 
@@ -25,7 +26,6 @@ using LAMMPS_NS::Fix;
 namespace {
 
 constexpr const char* fix_id = "plastigran_energy";
-constexpr const char* work_fix_id = "plastigran_work";
 
 double dot(const double* a, const double* b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
@@ -40,8 +40,7 @@ EnergyBalance::EnergyBalance(LAMMPS_NS::LAMMPS* lammps, int count, char** words)
 void EnergyBalance::open(LAMMPS_NS::LAMMPS* lammps) {
   LAMMPS_NS::Modify* const modify = lammps->modify;
   if (of(lammps)) return;
-  modify->add_fix(std::string(work_fix_id) + " all property/atom d_" + particle_work +
-                  " ghost yes");
+  ParticleValues::open(lammps, particle_work, " ghost yes");
   modify->add_fix(std::string(fix_id) + " all plastigran/energy");
 }
 
@@ -72,9 +71,7 @@ std::vector<const ContactTally*> EnergyBalance::tallies() const {
 }
 
 void EnergyBalance::begin_pass() {
-  int is_double, columns;
-  const int at = atom->find_custom(particle_work, is_double, columns);
-  work_ = atom->dvector[at];
+  work_ = ParticleValues::of(lmp, particle_work);
   std::fill_n(work_ + atom->nlocal, atom->nghost, 0.0);
   loads_.assign(static_cast<std::size_t>(atom->nlocal + atom->nghost), ParticleLoad());
   wall_power_ = Power();
@@ -94,6 +91,14 @@ void EnergyBalance::add_wall(const double* force, const ParticleLoad& load,
   wall_power_.wall += dot(force, wall_velocity);
   wall_power_.friction += dot(load.friction, wall_velocity);
   wall_power_.viscous += dot(load.dashpot, wall_velocity);
+}
+
+void EnergyBalance::add_wall_change(const double* force, const ParticleLoad& load,
+                                    const double* change) {
+  const double half_step = 0.5 * update->dt;
+  sums_.wall_work += half_step * dot(force, change);
+  sums_.friction += half_step * dot(load.friction, change);
+  sums_.viscous += half_step * dot(load.dashpot, change);
 }
 
 void EnergyBalance::pack_ghost(int particle, double* buffer) const {
@@ -123,6 +128,7 @@ EnergyBalance::Live EnergyBalance::live() const {
   for (const ContactTally* const tally : tallies()) {
     live.elastic += tally->elastic_energy;
     live.surface += tally->surface_energy;
+    live.springs += tally->spring_energy;
     live.contacts += tally->contacts;
   }
   return live;
@@ -214,6 +220,7 @@ EnergyBalance::Terms EnergyBalance::terms() {
   local[VISCOUS] = sums_.viscous;
   local[WALL_WORK] = sums_.wall_work;
   local[INSERTED] = sums_.inserted;
+  local[TANGENTIAL_SPRINGS] = now.springs;
   local[SURFACE] = now.surface;
   local[ADHESION] = sums_.adhesion_loss;
   local[CONTACTS] = now.contacts;

@@ -66,6 +66,8 @@ class EnergyBalance : public LAMMPS_NS::Fix {
   void add_load(int particle, const ParticleLoad& load);
   // Adds the force of a wall on a particle [N]. `load` is the part that dissipates energy.
   void add_wall(const double* force, const ParticleLoad& load, const double* wall_velocity);
+  // Adds the change of the wall's velocity since the last step, during which its last forces act.
+  void add_wall_change(const double* force, const ParticleLoad& load, const double* change);
 
   // Number of values that the ghost of a particle sends to the rank that owns the particle.
   static constexpr int reverse_size = 1 + sizeof(ParticleLoad) / sizeof(double);
@@ -97,7 +99,7 @@ class EnergyBalance : public LAMMPS_NS::Fix {
     double friction = 0, viscous = 0, wall = 0;  // [W]
   };
   struct Live {
-    double elastic = 0, surface = 0, contacts = 0;
+    double elastic = 0, surface = 0, springs = 0, contacts = 0;
   };
 
   std::vector<const ContactTally*> tallies() const;

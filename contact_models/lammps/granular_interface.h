@@ -13,6 +13,7 @@
 #include "fix_wall_gran_region.h"
 #include "gran_sub_mod_heat.h"
 #include "gran_sub_mod_normal.h"
+#include "gran_sub_mod_tangential.h"
 #include "granular_model.h"
 #include "lammpsplugin.h"
 #include "pair_granular.h"
@@ -69,6 +70,15 @@ class GranSubModNormal : public GranSubMod {
   int material_properties, cohesive_flag;
 };
 
+class GranSubModTangential : public GranSubMod {
+ public:
+  GranSubModTangential(GranularModel*, LAMMPS*);
+  virtual void calculate_forces() = 0;
+
+ protected:
+  double unused_coefficients[4];
+};
+
 class GranSubModHeat : public GranSubMod {
  public:
   GranSubModHeat(GranularModel*, LAMMPS*);
@@ -82,7 +92,9 @@ class GranularModel : protected Pointers {
   void init();
 
   GranSubModNormal* normal_model;
-  void* unused_models[4];
+  void* unused_damping_model;
+  GranSubModTangential* tangential_model;
+  void* unused_models[2];
   GranSubModHeat* heat_model;
   GranSubMod* sub_models[NSUBMODELS];
   int beyond_contact, limit_damping, history_update, unused_synchronization;
@@ -93,9 +105,9 @@ class GranularModel : protected Pointers {
   double Fnormal, forces[3], torquesi[3], torquesj[3], unused_heat;
   double radi, radj, meff, dt, unused_temperatures[2], contact_radius, Fntot, unused_torque;
   double *xi, *xj, *vi, *vj, *omegai, *omegaj;
-  double unused_vectors[9];
+  double fs[3], unused_vectors[6];
   double dx[3], nx[3], unused_normal[3], r, rsq, rinv, Reff, radsum, delta, dR;
-  double vr[3], vn[3], vnnr, unused_velocities[15], unused_speeds[2];
+  double vr[3], vn[3], vnnr, unused_velocities[6], vtr[3], unused_rotations[6], unused_speeds[2];
   bool touch;
   int unused_output[2];
   double* unused_values;
@@ -169,7 +181,7 @@ class FixWallGran : public Fix {
   int unused_geometry[5];
   bigint unused_time_origin;
   double unused_motion[9];
-  char* unused_region;
+  char* idregion;
   int use_history, unused_update, size_history, unused_heat[2];
   char* unused_variable;
   double** history_one;

@@ -7,6 +7,7 @@
 
 #include "atom.h"
 #include "lammps/load_model.h"
+#include "lammps/tangential_model.h"
 
 namespace plastigran {
 
@@ -47,11 +48,12 @@ NormalModel::~NormalModel() {
 }
 
 void NormalModel::replace(GranularModel* model, LAMMPS_NS::LAMMPS* lammps, Laws laws,
-                          ContactTally& tally) {
+                          const TangentialLine& tangential, ContactTally& tally) {
   auto* const normal = new NormalModel(model, lammps, std::move(laws), tally);
   delete model->sub_models[LAMMPS_NS::Granular_NS::NORMAL];
   model->normal_model = normal;
   model->sub_models[LAMMPS_NS::Granular_NS::NORMAL] = normal;
+  if (!tangential.law.empty()) TangentialModel::add(model, lammps, *normal, tangential, tally);
   delete[] model->transfer_history_factor;  // init() allocates the factors again
   model->transfer_history_factor = nullptr;
   model->init();

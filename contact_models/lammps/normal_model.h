@@ -28,9 +28,10 @@ class NormalModel : public LAMMPS_NS::Granular_NS::GranSubModNormal {
               ContactTally& tally);
   ~NormalModel() override;
 
-  // Replaces the normal model that LAMMPS has created by a NormalModel.
+  // Replaces the normal model that LAMMPS has created by a NormalModel, and LAMMPS' tangential
+  // model by the tangential law of the line, if it has one.
   static void replace(LAMMPS_NS::Granular_NS::GranularModel* model, LAMMPS_NS::LAMMPS* lammps,
-                      Laws laws, ContactTally& tally);
+                      Laws laws, const TangentialLine& tangential, ContactTally& tally);
 
   void coeffs_to_local() override {}
   bool touch() override;
@@ -39,7 +40,14 @@ class NormalModel : public LAMMPS_NS::Granular_NS::GranSubModNormal {
   // calls calculate_forces() and set_fncrit().
   double calculate_contact_radius() override;
   double calculate_forces() override { return force_; }
-  double conservative_force() const { return force_ - viscous_force_; }  // of the last contact [N]
+
+  // Of the last contact: the force without its viscous part, the force that limits friction, and
+  // the tangential stiffness without slip.
+  double conservative_force() const { return force_ - viscous_force_; }  // [N]
+  double limiting_force() const { return force_ + pull_off_force_; }     // [N]
+  double tangential_stiffness() const {                                  // [N/m]
+    return 8 * law().bodies.shear_modulus_eff * gm->contact_radius;
+  }
   void set_fncrit() override;
 
  private:

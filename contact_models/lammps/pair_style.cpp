@@ -13,7 +13,7 @@
 #include "lammps/impact_extremes.h"
 #include "lammps/load_model.h"
 #include "lammps/normal_model.h"
-#include "modify.h"
+#include "lammps/particle_values.h"
 #include "update.h"
 #include "utils.h"
 
@@ -106,7 +106,7 @@ void PairStyle::add_model(const std::string& types, const std::string& other_typ
 void PairStyle::set_model(GranularModel* model, const ContactLine& line, const Body& one,
                           const Body& other) {
   const auto made = law(line, one, other, "pair_coeff");
-  NormalModel::replace(model, lmp, {made}, *this);
+  NormalModel::replace(model, lmp, {made}, line.tangential, *this);
   models_[model] = {line, made};
 }
 
@@ -143,16 +143,15 @@ void PairStyle::init_style() {
     for (int j = i + 1; j <= atom->ntypes; ++j)
       if (!setflag[i][j] && setflag[i][i] && setflag[j][j]) mix(i, j);
   PairGranular::init_style();
-  if (!modify->get_fix_by_id(ids))
-    modify->add_fix(std::string(ids) + " all property/atom d_" + ids);
+  ParticleValues::open(lmp, ids);
   warned_range_ = warned_step_ = false;
   furthest = 1;
 }
 
 // Stops if particles were renumbered, because contact histories refer to particles by their IDs.
 void PairStyle::check_particle_ids() {
-  int is_double, columns, renumbered = 0;
-  double* const last = atom->dvector[atom->find_custom(ids, is_double, columns)];
+  int renumbered = 0;
+  double* const last = ParticleValues::of(lmp, ids);
   for (int i = 0; i < atom->nlocal; ++i) {
     const auto id = static_cast<double>(atom->tag[i]);
     if (last[i] != 0 && last[i] != id) renumbered = 1;

@@ -9,6 +9,7 @@
 #include "lammps/energy_balance.h"
 #include "lammps/energy_compute.h"
 #include "lammps/pair_style.h"
+#include "lammps/particle_values.h"
 #include "lammps/wall_style.h"
 
 namespace plastigran {
@@ -76,6 +77,8 @@ extern "C" __attribute__((visibility("default"))) void lammpsplugin_init(void* h
   add("fix", "wall/gran/region/plastigran");
   plugin.creator.v2 = &make<EnergyBalance, LAMMPS_NS::Fix>;
   add("fix", "plastigran/energy");
+  plugin.creator.v2 = &make<ParticleValues, LAMMPS_NS::Fix>;
+  add("fix", "plastigran/values");
   plugin.creator.v2 = &make<EnergyCompute, LAMMPS_NS::Compute>;
   add("compute", "plastigran/energy");
 }

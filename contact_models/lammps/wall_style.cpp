@@ -23,7 +23,8 @@ WallLine::WallLine(LAMMPS_NS::LAMMPS* lammps, int count, char** words)
   const NormalModel::Laws all = laws();
   const double shear_modulus = all.front()->bodies.shear_modulus_eff;
   const auto tangential = std::find(line_.models.begin(), line_.models.end(), "tangential");
-  const bool derived = line_.models.end() - tangential > 2 && tangential[2] == "NULL";
+  const bool derived = line_.tangential.law.empty() && line_.models.end() - tangential > 2 &&
+                       tangential[2] == "NULL";
   for (const auto& law : all)
     if (derived && std::abs(law->bodies.shear_modulus_eff - shear_modulus) > 1e-9 * shear_modulus)
       error->all(FLERR,

@@ -10,11 +10,13 @@
 
 #include <mpi.h>
 
+#include <array>
 #include <cstring>
 #include <string>
 #include <vector>
 
 #include "atom.h"
+#include "domain.h"
 #include "error.h"
 #include "lammps.h"
 #include "lammps/granular_interface.h"
@@ -22,6 +24,8 @@
 #include "lammps/normal_model.h"
 #include "lammps/pair_style.h"
 #include "memory.h"
+#include "region.h"
+#include "update.h"
 
 namespace plastigran {
 
@@ -36,6 +40,7 @@ class WallLine {
 
   // Returns the laws between the wall and the body of each atom type.
   NormalModel::Laws laws() const;
+  const TangentialLine& tangential() const { return line_.tangential; }
 
  private:
   LAMMPS_NS::LAMMPS* lammps_;
@@ -50,7 +55,7 @@ class WallStyle : private WallLine, public LammpsWall, public ContactTally {
  public:
   WallStyle(LAMMPS_NS::LAMMPS* lammps, int count, char** words)
       : WallLine(lammps, count, words), LammpsWall(lammps, WallLine::count(), WallLine::words()) {
-    NormalModel::replace(this->model, lammps, laws(), *this);
+    NormalModel::replace(this->model, lammps, laws(), tangential(), *this);
     this->size_history = this->model->size_history;
     this->use_history = this->restart_peratom = 1;
     this->memory->destroy(this->history_one);  // LAMMPS allocated it for its own model
@@ -62,23 +67,29 @@ class WallStyle : private WallLine, public LammpsWall, public ContactTally {
 
   double compute_vector(int axis) override {  // force on the wall [N]
     double force = 0;
-    MPI_Allreduce(&force_on_wall[static_cast<std::size_t>(axis)], &force, 1, MPI_DOUBLE, MPI_SUM,
-                  this->world);
-    return force;
+    MPI_Allreduce(&wall_load_.force[axis], &force, 1, MPI_DOUBLE, MPI_SUM, this->world);
+    return -force;
   }
 
   void init() override {
-    NormalModel::replace(this->model, this->lmp, laws(), *this);
+    NormalModel::replace(this->model, this->lmp, laws(), tangential(), *this);
     LammpsWall::init();
     warned_range_ = false;
     furthest = 1;
   }
 
   void post_force(int vflag) override {
+    const WallLoad last = wall_load_;
+    const std::array<double, 3> before = region_velocity();
     begin(this->lmp);
     LoadModel::enable(this->model);
     LammpsWall::post_force(vflag);
     end();
+    if (balance_ && !this->update->setupflag) {
+      std::array<double, 3> change = region_velocity();
+      for (std::size_t k = 0; k < 3; ++k) change[k] -= before[k];
+      balance_->add_wall_change(last.force, last.lossy, change.data());
+    }
     if (furthest > 1 && !warned_range_) {
       warned_range_ = true;
       this->error->warning(FLERR,
@@ -89,6 +100,15 @@ class WallStyle : private WallLine, public LammpsWall, public ContactTally {
   }
 
  private:
+  // Velocity of a moving region in the last step. Planes have their velocity at the end of the
+  // step.
+  std::array<double, 3> region_velocity() const {
+    const LAMMPS_NS::Region* const region =
+        this->idregion ? this->domain->get_region_by_id(this->idregion) : nullptr;
+    if (!region || !region->moveflag) return {};
+    return {region->v[0], region->v[1], region->v[2]};
+  }
+
   bool warned_range_ = false;
 };
 

@@ -48,6 +48,17 @@ def test_ranks_and_order_of_grains_do_not_matter(ranks, variables, reference, tm
     assert_allclose(bed(tmp_path, ranks, **variables).iloc[-1][COMPARED], last[COMPARED], rtol=1e-8)
 
 
+@pytest.mark.parametrize("law", ["partial_slip", "incremental"])
+def test_tangential_laws_do_not_depend_on_the_order_of_grains(law, tmp_path):
+    """Sorting changes from which side LAMMPS stores a pair. The tolerance is as above."""
+    friction = {"models": f"tangential {law} 0.5", "floor": f"tangential {law} 0.5"}
+    usual, sorted_often = (
+        bed(tmp_path / str(sort), **friction, sort=sort).iloc[-1] for sort in (1000, 20)
+    )
+    assert usual["c_energy[10]"] > 0  # energy of tangential springs
+    assert_allclose(sorted_often[COMPARED], usual[COMPARED], rtol=1e-8)
+
+
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_a_restart_continues_the_contacts(ranks, reference):
     """The run continues from step 900, with 251 contacts. The restart file contains laws and

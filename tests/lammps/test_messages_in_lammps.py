@@ -11,6 +11,7 @@ from plastigran.engine.process import EngineError
 BODY = "7e10 0.3 yield_strength 3e8"
 PAIR = "pair_style granular/plastigran\n"
 GOOD = f"{PAIR}pair_coeff * * thornton {BODY} {FRICTION}\n"
+PLAIN = f"{PAIR}pair_coeff * * thornton {BODY}"
 TWO = f"{PAIR}pair_coeff 1 1 thornton {BODY} {FRICTION}\npair_coeff 2 2 "
 WALL = "fix floor all wall/gran/plastigran granular "
 
@@ -39,6 +40,12 @@ def script(lines: str) -> str:
         (
             line(f"thornton {BODY} viscous 2") + " damping tsuji",
             "viscous is 2; for this damping model it is a restitution, 0 to 1",
+        ),
+        (f"{PLAIN} tangential partial_slip", "it must be the coefficient of friction, 0 or more"),
+        (f"{PLAIN} tangential partial_slip 0.5 rings 9", "rings is `9`; it must be a whole number"),
+        (
+            f"{PLAIN} tangential incremental 0.5 twisting marshall",
+            "`twisting marshall` needs a tangential model of LAMMPS; choose `twisting sds`",
         ),
         (f"{PAIR}pair_coeff * * thornton {BODY} cutoff", "Illegal pair_coeff"),
         (f"{PAIR}pair_coeff * * thornton {BODY} hardness", "the value of hardness is missing"),

@@ -27,6 +27,7 @@ JUMP_AT_ENDS = ("jkr", "thornton_ning_1998", *WITH_ADHESION)
 #: Recommended time step divided by the time step. The time integration of LAMMPS has a first-order
 #: error if the force depends on the velocity, and where the force jumps.
 FINENESS = {"viscoelastic_hertz": 2000, **dict.fromkeys(JUMP_AT_ENDS, 600)}
+MINDLIN = "mindlin_rescale/force NULL 0.0 0.3"
 
 
 def wall_contact(law: str) -> pg.Contact:
@@ -104,21 +105,31 @@ def test_oblique_collisions_with_walls_and_between_spheres_agree(tmp_path):
     assert_allclose(ends["plane"], ends["pair"], rtol=1.5e-3)
 
 
-@pytest.mark.parametrize("law", ["hertz", "thornton", "universal"])
-def test_friction_is_the_incremental_law(law, tmp_path):
-    """LAMMPS' `mindlin_rescale/force`, with the stiffness that the plugin derives for `NULL`.
+@pytest.mark.parametrize(
+    ("law", "tangential", "words"),
+    [
+        *((law, "incremental", MINDLIN) for law in ("hertz", "thornton", "universal")),
+        ("thornton", "incremental", "incremental 0.3"),
+        ("hertz", "partial_slip", "partial_slip 0.3"),
+        ("universal", "partial_slip", "partial_slip 0.3"),
+    ],
+)
+def test_friction_is_the_tangential_law(law, tangential, words, tmp_path):
+    """The laws, and LAMMPS' `mindlin_rescale/force` with the stiffness of the plugin for `NULL`.
 
     The relative tolerance 5e-5 is the error of the integration in Python at a twelfth of the
-    recommended time step. It was set after a first comparison, which gave 1e-5.
+    recommended time step. It was set after a first comparison, which gave 1e-5. `partial_slip`
+    depends on the steps at which it merges rings, by up to 5e-3 (docs/friction.md). Its tolerance
+    1e-3 was set after a first comparison, which gave 6e-5.
     """
-    ends = collide(
-        law, 2e-9, tmp_path, sideways=0.7, friction="tangential mindlin_rescale/force NULL 0.0 0.3"
-    )
+    ends = collide(law, 2e-9, tmp_path, sideways=0.7, friction=f"tangential {words}")
     contact = pg.Contact(
-        law, MATERIAL, pg.RIGID, radius=RADIUS, friction=0.3, tangential="incremental"
+        law, MATERIAL, pg.RIGID, radius=RADIUS, friction=0.3, tangential=tangential
     )
     expected = contact.oblique_impact(SPEEDS * np.hypot(1, 0.7), np.degrees(np.arctan(0.7)))
+    tolerance = 1e-3 if tangential == "partial_slip" else 5e-5
     for geometry in ("plane", "region"):
         end = ends[geometry]
-        assert_allclose(end["vy"] / SPEEDS / 0.7, expected.tangential_restitution, rtol=5e-5)
-        assert_allclose(end["spin"], expected.spin, rtol=5e-5)
+        restitution = end["vy"] / SPEEDS / 0.7
+        assert_allclose(restitution, expected.tangential_restitution, rtol=tolerance)
+        assert_allclose(end["spin"], expected.spin, rtol=tolerance)

@@ -17,7 +17,7 @@ DECKS = {
     "new-deck": ("template/deck.in",),
     "collision": ("collision/parts/properties.in",),
     "rod": ("collision/rod.in",),
-    "bulk": ("bulk/parts/contact.in", "bulk/parts/yield.in"),
+    "bulk": ("bulk/parts/contact_liggghts.in", "bulk/parts/yield.in"),
 }
 
 

@@ -4,7 +4,8 @@
 Call the package, `plastigran.bulk("hopper", law="thornton")`, to run a deck and get a `BulkRun`.
 The call raises the errors of `run_bulk`.
 
-    plastigran.bulk(deck, *, folder=None, show=True, force=False, ranks=1, restart=None, **settings)
+    plastigran.bulk(deck, *, folder=None, show=True, force=False, ranks=1, restart=None, host=None,
+                    **settings)
 
 Args:
     deck: Name of a deck of `inputs/bulk`, or path of an input script.
@@ -13,6 +14,7 @@ Args:
     force: Whether to overwrite an earlier run in `folder`.
     ranks: Number of MPI ranks.
     restart: Folder of an earlier run to continue.
+    host: Program that runs the deck: liggghts, the default, or lammps.
     settings: Settings of the deck to override.
 """
 
@@ -41,11 +43,12 @@ class _Package(ModuleType):
         force: bool = False,
         ranks: int = 1,
         restart: str | Path | None = None,
+        host: str | None = None,
         **settings: object,
     ) -> BulkRun:
         """Run a bulk deck; see the docstring of the package for the arguments."""
         folder = folder or Path("results") / deck_name(deck)
-        return run_bulk(deck, settings, folder, ranks, restart, force, show)
+        return run_bulk(deck, settings, folder, ranks, restart, force, show, host)
 
 
 __all__ = ["BulkRun", "open", "run_bulk"]

@@ -23,7 +23,7 @@ from plastigran.engine.checkpoints import (
     is_numbered,
     newest_checkpoint,
 )
-from plastigran.engine.log import LOG, find_excess
+from plastigran.engine.log import LOGS, find_excess, log_path
 from plastigran.engine.process import EngineError, engines
 
 RECORD = "run.json"
@@ -41,7 +41,7 @@ RUN_FILES = (
     RECORD,
     f"{RECORD}.new",
     BEFORE,
-    LOG,
+    *LOGS.values(),
     "screen.txt",
     f"{SIGNAL_FILE}_*",
     DUMP,
@@ -118,11 +118,11 @@ def prepare_folder(folder: Path, force: bool) -> None:
 
     Raises:
         ValueError: The folder contains a run and `force` is false; it contains files but no run; or
-            LIGGGHTS is writing there.
+            a host is writing there.
     """
     if processes := engines(folder):
         raise ValueError(
-            f"{folder} is in use by LIGGGHTS (process {processes[0]}). Wait for the "
+            f"{folder} is in use by a run (process {processes[0]}). Wait for the "
             "run to end, stop it, or choose another --output"
         )
     folder.mkdir(parents=True, exist_ok=True)
@@ -149,7 +149,7 @@ def prepare_folder(folder: Path, force: bool) -> None:
 
 
 def _log_text(folder: str | Path) -> str:
-    log = Path(folder) / LOG
+    log = log_path(folder)
     return log.read_text(errors="replace") if log.exists() else ""
 
 

@@ -17,7 +17,7 @@ from plastigran.bulk.folder import RECORD, SERIES, all_excess, read_record
 from plastigran.bulk.own import analyse_own
 from plastigran.bulk.series import read_series
 from plastigran.engine.dumps import DumpError
-from plastigran.engine.log import LOG
+from plastigran.engine.log import log_path
 from plastigran.engine.process import EngineError
 
 
@@ -34,7 +34,7 @@ class BulkRun:
         folder: Folder of its files.
         deck: Settings; None for a deck without a class.
         analysis: Analysis of the deck, without checks and figures for an unfinished run.
-        finished: Whether LIGGGHTS reached the end.
+        finished: Whether the host reached the end.
     """
 
     name: str
@@ -122,6 +122,7 @@ def open_run(folder: str | Path) -> BulkRun:
         checks = [*range_checks(all_excess(folder)), *analysis.checks]
     except (ArithmeticError, LookupError, OSError, ValueError) as error:
         raise DumpError(
-            f"{folder}: {LOG} contains no complete run of {name} ({type(error).__name__}: {error})"
+            f"{log_path(folder)} contains no complete run of {name} "
+            f"({type(error).__name__}: {error})"
         ) from error
     return BulkRun(name, folder, deck, attrs.evolve(analysis, checks=checks))

@@ -26,7 +26,7 @@ from plastigran.bulk.folder import restart_point
 from plastigran.bulk.ledger_chart import ledger_figure
 from plastigran.engine.checkpoints import PATTERN, checkpoints
 from plastigran.engine.deck import MESHES, DeckSource, commands
-from plastigran.engine.log import LOG
+from plastigran.engine.log import log_path
 from plastigran.engine.process import EngineError, inputs_folder, misread
 
 #: Settings with which a deck continues from a restart file.
@@ -141,7 +141,7 @@ def own_restart_point(source: DeckSource, earlier: Path, record: dict) -> Path:
             f"{source.path.name} has no setting {missing[0]!r}, so it cannot continue from a "
             f"checkpoint; {CONTINUE_HINT}"
         )
-    log = earlier / LOG
+    log = log_path(earlier)
     if log.is_file() and _RESET_TIMESTEP.search(log.read_text(errors="replace")):
         raise EngineError(
             f"{log} contains `reset_timestep`, so step numbers do not identify the newest "

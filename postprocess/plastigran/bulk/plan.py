@@ -11,10 +11,19 @@ import attrs
 from plastigran.bulk.deck import BulkDeck
 from plastigran.bulk.decks import deck_class
 from plastigran.bulk.folder import read_record, restart_point
+from plastigran.bulk.in_lammps import refuse_settings, takes_host
 from plastigran.bulk.own import check_laws, own_places, own_restart_point
 from plastigran.engine.checkpoints import refuse_damaged
-from plastigran.engine.deck import DeckSource, deck_name, find_deck, is_supplied, read_deck
+from plastigran.engine.deck import (
+    DeckSource,
+    deck_name,
+    deck_names,
+    find_deck,
+    is_supplied,
+    read_deck,
+)
 from plastigran.engine.process import typed_command
+from plastigran.engine.versions import HOSTS
 
 #: Settings for paths of files and folders, which may differ between a run and its continuation.
 PLACES = frozenset({"start", "checkpoint", "inputs", "output", "materials"})
@@ -33,6 +42,7 @@ class Plan:
         places: Settings that name files and folders.
         earlier: Folder of the run to continue, or None.
         checkpoint: File to continue from, or None.
+        host: Name of the program that runs the deck.
     """
 
     source: DeckSource
@@ -43,17 +53,23 @@ class Plan:
     places: dict[str, Path]
     earlier: Path | None
     checkpoint: Path | None
+    host: str
 
     @property
     def working_folder(self) -> Path:
-        """Folder in which LIGGGHTS runs; relative paths of the deck start there."""
+        """Folder in which the host runs; relative paths of the deck start there."""
         return self.folder if self.deck_type else self.source.path.parent
 
     def command_line(self) -> str:
         """Command line that runs the original deck; `run_bulk` runs a copy of it."""
         settings = self.values if self.deck_type else self.values | self.places
         return typed_command(
-            self.source.path, settings, self.folder, self.working_folder, self.ranks
+            self.source.path,
+            settings,
+            self.folder,
+            self.working_folder,
+            self.ranks,
+            HOSTS[self.host],
         )
 
 
@@ -63,6 +79,7 @@ def plan_bulk(
     folder: str | Path,
     ranks: int = 1,
     restart: str | Path | None = None,
+    host: str | None = None,
 ) -> Plan:
     """Check the arguments of `run_bulk` and return the plan of the run; raises the same errors."""
     if not (isinstance(ranks, int) and ranks >= 1):
@@ -83,12 +100,17 @@ def plan_bulk(
         else:
             checkpoint = own_restart_point(read_deck(script, {}, folder), restart, record)
         values = record["values"] | values | {"start": "checkpoint", "checkpoint": str(checkpoint)}
-    # Make the path absolute, because LIGGGHTS runs in another folder.
+        host = host or record.get("versions", {}).get("host")
+    host = host or values.get("host", "liggghts")
+    if deck_type and host != "liggghts":
+        refuse_host(host, script)
+        values["host"] = host
+    # Make the path absolute, because the host runs in another folder.
     if deck_type and "materials" in values:
         values["materials"] = str(Path(values["materials"]).resolve())
     source = read_deck(script, values, folder)
     places = {"inputs": folder / "deck"} if deck_type else own_places(source, folder)
-    plan = Plan(source, deck_type, folder, ranks, values, places, restart, checkpoint)
+    plan = Plan(source, deck_type, folder, ranks, values, places, restart, checkpoint, host)
     if source.settings.get("start") == "checkpoint":
         refuse_damaged(plan.working_folder / source.settings.get("checkpoint", ""))
     if deck_type is None:
@@ -97,7 +119,25 @@ def plan_bulk(
         if record:
             check_continued(source.settings, record["settings"], deck_type.continuable_settings())
         deck_type.read(source.settings).check_inputs()
+        if host == "lammps":
+            refuse_settings(source.settings)
     return plan
+
+
+def refuse_host(host: str, script: Path) -> None:
+    """Reject a host that is unknown, or that does not run a deck of `inputs/bulk`.
+
+    Raises:
+        ValueError: The host is unknown or does not run the deck.
+    """
+    if host not in HOSTS:
+        raise ValueError(f"host is {host}; it must be one of {', '.join(HOSTS)}")
+    if not takes_host(script):
+        decks = [name for name in deck_names() if takes_host(find_deck(name))]
+        raise ValueError(
+            f"host is {host}, but {script.stem} runs only in LIGGGHTS. Decks that run in "
+            f"{HOSTS[host].name}: {', '.join(decks)}"
+        )
 
 
 def check_continued(

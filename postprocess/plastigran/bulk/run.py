@@ -27,9 +27,8 @@ from plastigran.engine.checkpoints import (
     step_of,
 )
 from plastigran.engine.folder_lock import lock_folder
-from plastigran.engine.log import LOG
 from plastigran.engine.process import run_deck
-from plastigran.engine.versions import versions
+from plastigran.engine.versions import HOSTS, versions
 from plastigran.plot import style
 
 
@@ -41,6 +40,7 @@ def run_bulk(
     restart: str | Path | None = None,
     force: bool = False,
     show: bool = True,
+    host: str | None = None,
 ) -> BulkRun:
     """Run a deck from its start or from the newest complete checkpoint of an earlier run.
 
@@ -57,18 +57,20 @@ def run_bulk(
         restart: Folder of the earlier run.
         force: Whether to overwrite an earlier run in `folder`.
         show: Whether to show a progress bar.
+        host: Program that runs the deck, liggghts or lammps; by default that of the earlier run, or
+            LIGGGHTS.
 
     Returns:
         Series, checks and figures of the run. They are also written to `folder`, even if checks
         fail.
 
     Raises:
-        EngineError: The deck or a complete checkpoint does not exist, or LIGGGHTS stopped with an
+        EngineError: The deck or a complete checkpoint does not exist, or the host stopped with an
             error.
         ValueError: A setting is unknown or out of range, or `folder` contains results.
     """
-    plan = plan_bulk(deck, values, folder, ranks, restart)
-    software = versions()  # raises EngineError if LIGGGHTS is missing, before anything is written
+    plan = plan_bulk(deck, values, folder, ranks, restart, host)
+    software = versions(plan.host)  # raises EngineError if the host is missing
     with lock_folder(plan.folder):
         prepare_folder(plan.folder, force)
         return _run(plan, software, show)
@@ -79,7 +81,7 @@ def _run(plan: Plan, software: dict[str, str], show: bool) -> BulkRun:
     source, folder, restart = plan.source, plan.folder, plan.earlier
     if plan.deck_type and not plan.checkpoint:
         plan.deck_type.read(source.settings).write_inputs(folder)
-    # Run a copy, because LIGGGHTS reads the deck while it runs, and the user may edit the original.
+    # Run a copy, because the host reads the deck while it runs, and the user may edit the original.
     script = source.copy(folder / "deck")
     record = {
         "deck": source.name,
@@ -99,7 +101,8 @@ def _run(plan: Plan, software: dict[str, str], show: bool) -> BulkRun:
     # Write the record last, because a folder with a record counts as a run that can be continued.
     write_record(folder, record)
     earlier_files = signal_files(plan.working_folder)
-    checksums = ChecksumWriter(folder)
+    log = folder / HOSTS[plan.host].log
+    checksums = ChecksumWriter(folder, log)
     try:
         run_deck(
             script,
@@ -111,9 +114,10 @@ def _run(plan: Plan, software: dict[str, str], show: bool) -> BulkRun:
             working_folder=plan.working_folder,
             planned=planned_steps(source) if plan.deck_type is None else 0,
             meanwhile=checksums.update,
+            host=HOSTS[plan.host],
         )
     finally:
-        if (log := folder / LOG).exists():
+        if log.exists():
             record["versions"]["engine"] = log.read_text(errors="replace").partition("\n")[0]
             write_record(folder, record)
             fetch_signal_file(plan.working_folder, earlier_files, folder)

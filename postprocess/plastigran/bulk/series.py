@@ -12,7 +12,7 @@ import pandas as pd
 
 from plastigran.bulk.folder import BEFORE, RECORD, read_record
 from plastigran.engine.dumps import DumpError, TruncatedFileWarning
-from plastigran.engine.log import LOG, LoggedRun, read_runs, thermo_table
+from plastigran.engine.log import LoggedRun, log_path, read_runs, thermo_table
 
 
 def read_series(folder: str | Path) -> pd.DataFrame:
@@ -62,12 +62,13 @@ def _read_earlier_rows(folder: Path) -> list[pd.DataFrame]:
 
 def _read_log(folder: Path) -> tuple[list[LoggedRun], pd.DataFrame]:
     """Return the runs of the log and their table; the log of a stopped run may be truncated."""
-    if not (folder / LOG).is_file():
-        raise DumpError(f"{folder} contains no {LOG}")
-    runs = read_runs(folder / LOG)
+    log = log_path(folder)
+    if not log.is_file():
+        raise DumpError(f"{folder} contains no {log.name}")
+    runs = read_runs(log)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", TruncatedFileWarning)
-        table = thermo_table(folder / LOG, runs)
+        table = thermo_table(log, runs)
     return runs, table
 
 

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
-from plastigran.engine.log import LOG, LogFollower
+from plastigran.engine.log import LogFollower, log_path
 from plastigran.engine.process import EngineError
 
 #: File pattern that decks give to the `restart` command.
@@ -21,6 +21,8 @@ PATTERN = "checkpoint.*.restart"
 SIGNAL_FILE = "restart_forced_liggghts"
 #: Suffix of the checksum files, which `sha256sum --check` reads.
 CHECKSUM = ".sha256"
+#: Start and end of a restart file of LAMMPS.
+_LAMMPS = b"LammpS RestartT\0"
 #: Number of values read from a file at a time.
 _BLOCK = 1 << 20
 
@@ -56,7 +58,7 @@ def newest_checkpoint(folder: str | Path) -> Path:
         EngineError: There is no complete checkpoint. The message names the newest checkpoint that
             is later than the log.
     """
-    log, beyond = Path(folder) / LOG, None
+    log, beyond = log_path(folder), None
     progress = LogFollower(log).read()
     for checkpoint in reversed(checkpoints(folder)):
         complete = is_complete(checkpoint)
@@ -85,11 +87,12 @@ class ChecksumWriter:
 
     Args:
         folder: Folder of the run.
+        log: Path of its log, which may not exist yet.
     """
 
-    def __init__(self, folder: Path) -> None:
+    def __init__(self, folder: Path, log: Path) -> None:
         self._folder = folder
-        self._log = LogFollower(folder / LOG)
+        self._log = LogFollower(log)
         self._warned = False
 
     def update(self) -> None:
@@ -178,7 +181,7 @@ def fetch_signal_file(working_folder: Path, earlier: dict[Path, int], folder: Pa
         earlier: Result of `signal_files` before the run.
         folder: Folder of the results.
     """
-    name = f"{SIGNAL_FILE}_{LogFollower(folder / LOG).read().step}"
+    name = f"{SIGNAL_FILE}_{LogFollower(log_path(folder)).read().step}"
     for file, time in signal_files(working_folder).items():
         if file.stem == name and earlier.get(file) != time:
             # Another run that stopped at the same step may have moved the file.
@@ -189,16 +192,18 @@ def fetch_signal_file(working_folder: Path, earlier: dict[Path, int], folder: Pa
 def is_complete(checkpoint: Path) -> bool:
     """Return whether a restart file is complete.
 
-    Each rank writes the number of its values (four bytes) and then the values (eight bytes each).
-    The values of one particle follow those of another; the first value of a particle is their
-    number. A rank without particles writes only the number 0. The function searches for the last
-    part that has particles. A file that ends exactly after the part of an earlier rank passes the
-    test.
+    A file of LAMMPS begins and ends with the same words. In a file of LIGGGHTS, each rank writes
+    the number of its values (four bytes) and then the values (eight bytes each). The values of one
+    particle follow those of another; the first value of a particle is their number. A rank without
+    particles writes only the number 0. The function searches for the last part that has particles.
+    A file that ends exactly after the part of an earlier rank passes the test.
     """
     size = checkpoint.stat().st_size
     if size < 4:
         return False
     content = np.memmap(checkpoint, np.uint8, "r")
+    if content[: len(_LAMMPS)].tobytes() == _LAMMPS:
+        return size > len(_LAMMPS) and content[-len(_LAMMPS) :].tobytes() == _LAMMPS
     numbers = content[size % 4 :].view("<i4", np.ndarray)
     earliest_end = size - 4 * _trailing_zeros(numbers)
     for first in range(0, len(numbers), _BLOCK):

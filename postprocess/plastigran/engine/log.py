@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Read the log of LIGGGHTS: progress, thermodynamic output, warnings and errors."""
+"""Read the log of LIGGGHTS or LAMMPS: progress, thermodynamic output, warnings and errors."""
 
 from __future__ import annotations
 
@@ -17,8 +17,9 @@ from plastigran.engine.dumps import DumpError, TruncatedFileWarning
 
 #: Upper bound of steps, 2^63.
 LARGEST_STEP = 2.0**63
-#: Name of the log in the folder of a run.
-LOG = "log.liggghts"
+#: Names of the log in the folder of a run, by host.
+LOGS = {"liggghts": "log.liggghts", "lammps": "log.lammps"}
+LOG = LOGS["liggghts"]
 
 THERMO_COLUMNS = {
     "Step": "step",
@@ -34,7 +35,7 @@ _PLANNED = re.compile(r"planned steps = (\d+)\s*$")
 #: Error line of LIGGGHTS. ERROR must start the line, because a deck may print or echo this word.
 _ERROR = re.compile(r"^ERROR(?: on proc \d+)?: .*", re.MULTILINE)
 #: Warning of the plugin or launcher, without its position in the source code.
-_WARNING = re.compile(r"^WARNING: plastigran: (.*?)(?: \(\S+:\d+\))?$", re.M)
+_WARNING = re.compile(r"^WARNING: (?:\S+/)?plastigran: (.*?)(?: \(\S+:\d+\))?$", re.M)
 #: Machine-readable line of a contact model before its first run.
 _LAW = re.compile(r"^plastigran law (\w+)$", re.M)
 #: Echoed pair_style command. LIGGGHTS echoes a command first as typed, then with the values of
@@ -44,6 +45,12 @@ _UNITS = re.compile(r"^units\s+(\w+)\s*$", re.M)
 #: Machine-readable line at the end of a run.
 _EXCESS = re.compile(r"^plastigran range (\w+) contacts=\S+ furthest=(\S+)$", re.M)
 _NUMBER = re.compile(r"\d[\d.e+-]*")
+
+
+def log_path(folder: str | Path) -> Path:
+    """Return the path of the log of a run; LIGGGHTS' if there is none."""
+    paths = [Path(folder) / name for name in LOGS.values()]
+    return next((path for path in paths if path.is_file()), paths[0])
 
 
 def find_excess(text: str) -> dict[str, float]:

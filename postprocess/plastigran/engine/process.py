@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Find, start and stop LIGGGHTS: `liggghts-plastigran` on one rank or with mpirun."""
+"""Start and stop a host, LIGGGHTS or LAMMPS, on one rank or with MPI; find LIGGGHTS."""
 
 from __future__ import annotations
 
@@ -14,7 +14,9 @@ from pathlib import Path
 from shlex import join
 from time import monotonic
 
-from plastigran.engine.log import LOG, find_error, find_warnings
+import attrs
+
+from plastigran.engine.log import LOGS, find_error, find_warnings
 from plastigran.engine.watch import RunBar
 
 PROJECT = Path(__file__).resolve().parents[3]
@@ -65,8 +67,36 @@ def engine_path() -> Path:
     )
 
 
+def _liggghts_start(ranks: int) -> list[str]:
+    launcher = ["mpirun", "--oversubscribe", "-np", str(ranks)] if ranks > 1 else []
+    return [*launcher, str(engine_path())]
+
+
+@attrs.frozen
+class Host:
+    """A simulation code that runs decks.
+
+    Attributes:
+        name: Name for users.
+        log: Name of its log.
+        start: Function that returns the start of a command line for a number of ranks.
+        environment: Function that returns its environment.
+        additions: Names of the environment variables that a user must set, too.
+    """
+
+    name: str
+    log: str
+    start: Callable[[int], list[str]]
+    environment: Callable[[], dict[str, str]]
+    additions: tuple[str, ...] = ()
+
+
 def command(
-    deck: str | Path, variables: Mapping[str, object], folder: Path, ranks: int = 1
+    deck: str | Path,
+    variables: Mapping[str, object],
+    folder: Path,
+    ranks: int = 1,
+    host: Host | None = None,
 ) -> list[str]:
     """Return the command line that runs a deck with its results in `folder`.
 
@@ -75,7 +105,7 @@ def command(
 
     Do not add `-screen none`: the mesh reader of LIGGGHTS then writes to a null file and crashes.
     """
-    words, links = _command(deck, variables, folder, ranks)
+    words, links = _command(deck, variables, folder, ranks, host or LIGGGHTS)
     for link, target in links.items():
         link.unlink(missing_ok=True)
         link.symlink_to(target)
@@ -88,9 +118,14 @@ def typed_command(
     folder: Path,
     working_folder: Path,
     ranks: int = 1,
+    host: Host | None = None,
 ) -> str:
     """Return shell commands equivalent to `command`, with folders and links; create nothing."""
-    words, links = _command(deck, variables, folder, ranks)
+    host = host or LIGGGHTS
+    words, links = _command(deck, variables, folder, ranks, host)
+    if host.additions:
+        settings = host.environment()
+        words = ["env", *(f"{name}={settings[name]}" for name in host.additions), *words]
     steps = [["mkdir", "-p", folder]]
     steps += [["ln", "-sfn", target, link] for link, target in links.items()]
     steps += [["cd", working_folder]]
@@ -98,11 +133,10 @@ def typed_command(
 
 
 def _command(
-    deck: str | Path, variables: Mapping[str, object], folder: Path, ranks: int
+    deck: str | Path, variables: Mapping[str, object], folder: Path, ranks: int, host: Host
 ) -> tuple[list[str], dict[Path, Path]]:
     """Return the words of a command line, and the links that it needs with their targets."""
-    words = ["mpirun", "--oversubscribe", "-np", str(ranks)] if ranks > 1 else []
-    words += [str(engine_path()), "-in", str(deck), "-log", str(folder / LOG)]
+    words = [*host.start(ranks), "-in", str(deck), "-log", str(folder / host.log)]
     links = {}
     for name, value in {"inputs": inputs_folder(), "output": folder, **variables}.items():
         if value is None:
@@ -136,6 +170,9 @@ def environment() -> dict[str, str]:
     return (permission if os.geteuid() == 0 else {}) | os.environ
 
 
+LIGGGHTS = Host("LIGGGHTS", LOGS["liggghts"], _liggghts_start, environment)
+
+
 def run_deck(
     deck: str | Path,
     variables: Mapping[str, object],
@@ -146,11 +183,12 @@ def run_deck(
     working_folder: Path | None = None,
     planned: int = 0,
     meanwhile: Callable[[], None] = lambda: None,
+    host: Host = LIGGGHTS,
 ) -> str:
     """Run a deck to its end.
 
-    LIGGGHTS never outlives this function: an error, Ctrl-C or the time-out stops all its ranks.
-    LIGGGHTS also stops if Python is killed. Files that were already written are kept.
+    The host never outlives this function: an error, Ctrl-C or the time-out stops all its ranks.
+    The host also stops if Python is killed. Files that were already written are kept.
 
     Args:
         deck: Path of the input script, absolute or relative to `inputs_folder()`.
@@ -159,17 +197,18 @@ def run_deck(
         ranks: Number of MPI ranks.
         timeout: Seconds before the run is stopped; None for no limit.
         progress: Whether to show a progress bar, or lines if the output is not a terminal.
-        working_folder: Folder in which LIGGGHTS runs, where relative paths of the deck start;
+        working_folder: Folder in which the host runs, where relative paths of the deck start;
             `folder` if None.
         planned: Total steps of all runs of the deck for the progress bar, or 0 if unknown.
         meanwhile: Function that is called every `INTERVAL` seconds during the run.
+        host: Program that runs the deck.
 
     Returns:
         The log.
 
     Raises:
-        EngineError: The deck or LIGGGHTS is missing.
-        EngineStopped: LIGGGHTS ended with an error or took too long. The message quotes the error,
+        EngineError: The deck or the host is missing.
+        EngineStopped: The host ended with an error or took too long. The message quotes the error,
             and the first two and the last of the earlier warnings of contact models.
     """
     folder = Path(folder).resolve()
@@ -177,11 +216,11 @@ def run_deck(
     deck = inputs_folder() / deck
     if not deck.is_file():
         raise EngineError(f"the deck {deck} does not exist")
-    words = command(deck, variables, folder, ranks)
+    words = command(deck, variables, folder, ranks, host)
     # Write the screen output to a file, because with a pipe a helper process of MPI that outlives
-    # LIGGGHTS would block this process. Start LIGGGHTS in a new session, so that only this process
-    # receives Ctrl-C from the terminal and then stops LIGGGHTS.
-    log, screen = folder / LOG, folder / "screen.txt"
+    # the host would block this process. Start the host in a new session, so that only this process
+    # receives Ctrl-C from the terminal and then stops the host.
+    log, screen = folder / host.log, folder / "screen.txt"
     with (
         open(screen, "w") as output,
         closing(RunBar(deck.stem, log, progress, planned)) as bar,
@@ -189,7 +228,7 @@ def run_deck(
         process = subprocess.Popen(
             ["setpriv", "--pdeathsig", "TERM", *words],
             cwd=working_folder or folder,
-            env=environment(),
+            env=host.environment(),
             stdin=subprocess.DEVNULL,
             stdout=output,
             stderr=subprocess.STDOUT,
@@ -204,17 +243,17 @@ def run_deck(
     text = log.read_text(errors="replace") if log.exists() else ""
     if returncode:
         complete = text[: text.rfind("\n") + 1]  # LIGGGHTS may have stopped in the middle of a line
-        reason = _reason(returncode, complete + screen.read_text(errors="replace"))
+        reason = _reason(returncode, complete + screen.read_text(errors="replace"), host.name)
         raise EngineStopped(f"{deck.name}: {reason} (log: {log if text else screen})")
     return text
 
 
 def engines(folder: Path) -> list[int]:
-    """Return the process IDs of mpirun and LIGGGHTS that work for a folder on this machine."""
-    log, numbers = str(folder / LOG).encode(), []
+    """Return the process IDs of the host and of MPI that work for a folder on this machine."""
+    logs, numbers = {str(folder / name).encode() for name in LOGS.values()}, []
     for process in Path("/proc").glob("[0-9]*"):
         with suppress(OSError):  # ignore a process that has ended meanwhile
-            if log in (process / "cmdline").read_bytes().split(b"\0"):
+            if logs & set((process / "cmdline").read_bytes().split(b"\0")):
                 numbers.append(int(process.name))
     return numbers
 
@@ -262,7 +301,7 @@ def _stop(process: subprocess.Popen, folder: Path) -> None:
             process.wait()
 
 
-def _reason(returncode: int, output: str) -> str:
+def _reason(returncode: int, output: str, host: str) -> str:
     """Return why a run ended, from its exit code and its output (log and screen), with warnings."""
     if error := find_error(output):
         # Quote the first warnings, which often show the cause, and the latest one.
@@ -271,5 +310,5 @@ def _reason(returncode: int, output: str) -> str:
     # mpirun returns 128 plus the number of the signal.
     number = -returncode if returncode < 0 else returncode - 128
     if number in set(signal.Signals):
-        return f"LIGGGHTS was stopped by the signal {signal.Signals(number).name}"
+        return f"{host} was stopped by the signal {signal.Signals(number).name}"
     return (output.strip().splitlines() or ["no output"])[-1]

@@ -7,11 +7,11 @@ import hashlib
 from importlib.metadata import version
 from pathlib import Path
 
-from plastigran.engine.lammps import lammps_path, plugin_path
-from plastigran.engine.process import engine_path
+from plastigran.engine.lammps import LAMMPS, lammps_path, plugin_path
+from plastigran.engine.process import LIGGGHTS, engine_path
 
-#: Names of the hosts, in the order of the documentation.
-HOSTS = ("liggghts", "lammps")
+#: Hosts by name, in the order of the documentation.
+HOSTS = {"liggghts": LIGGGHTS, "lammps": LAMMPS}
 
 
 def versions(host: str = "liggghts") -> dict[str, str]:

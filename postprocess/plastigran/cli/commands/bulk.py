@@ -16,7 +16,7 @@ from plastigran.cli.arguments import (
 )
 from plastigran.engine.checkpoints import newest_checkpoint
 from plastigran.engine.deck import deck_name, deck_names
-from plastigran.engine.log import LOG, find_warnings
+from plastigran.engine.log import LOGS, find_warnings, log_path
 from plastigran.engine.process import EngineError, EngineStopped
 
 if TYPE_CHECKING:
@@ -43,6 +43,11 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
     )
     command.add_argument(
         "--ranks", type=positive_integer, default=1, help="number of MPI ranks, default 1"
+    )
+    command.add_argument(
+        "--host",
+        choices=list(LOGS),
+        help="program that runs the deck, default liggghts, or that of DIR with --restart DIR",
     )
     command.add_argument(
         "-v",
@@ -81,14 +86,15 @@ def run(arguments: argparse.Namespace) -> None:
     elif arguments.output is None:
         arguments.output = Path("results") / deck_name(deck)
     case = (deck, settings, arguments.output, arguments.ranks, earlier)
+    host = arguments.host
     refuse_json_of_dry_run(arguments)
     if arguments.dry_run:
-        plan = plan_bulk(*case)
+        plan = plan_bulk(*case, host)
         print(plan.command_line())
         print(f"results would be written to {plan.folder}; nothing was started")
         return
     try:
-        bulk_run = run_bulk(*case, arguments.force)
+        bulk_run = run_bulk(*case, arguments.force, host=host)
     except KeyboardInterrupt:
         raise KeyboardInterrupt(how_to_continue(arguments.output)) from None
     except EngineStopped as error:
@@ -148,10 +154,10 @@ def report(run: BulkRun) -> None:
     for note in run.notes:
         print(f"--  {note}")
     for warning in warnings_of(run):
-        print(f"LIGGGHTS warned: {warning}")
+        print(f"warning in the log: {warning}")
     run.raise_if_failed()
 
 
 def warnings_of(run: BulkRun) -> list[str]:
     """Return the warnings of the contact models and of the launcher."""
-    return find_warnings((run.folder / LOG).read_text(errors="replace"))
+    return find_warnings(log_path(run.folder).read_text(errors="replace"))

@@ -7,7 +7,7 @@ import argparse
 import os
 from pathlib import Path
 
-from plastigran.engine.lammps import LOG, lammps_command, lammps_environment
+from plastigran.engine.lammps import LOG, lammps_environment, lammps_start
 from plastigran.engine.process import EngineError
 
 HELP = "run an input script in LAMMPS with the laws"
@@ -43,5 +43,5 @@ def run(arguments: argparse.Namespace) -> None:
     words = ["-in", str(arguments.deck), "-log", arguments.log]
     for variable in arguments.variables:
         words += ["-var", *variable]
-    line = lammps_command(words, arguments.ranks)
+    line = [*lammps_start(arguments.ranks), *words]
     os.execve(line[0], line, lammps_environment())

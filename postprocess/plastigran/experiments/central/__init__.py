@@ -14,7 +14,8 @@ import pandas as pd
 
 from plastigran import laws
 from plastigran.declared import Declaration, radius_field, speed_field, word
-from plastigran.engine.lammps import run_lammps, typed_lammps_command
+from plastigran.engine.lammps import LAMMPS, run_lammps
+from plastigran.engine.process import typed_command
 from plastigran.engine.versions import HOSTS
 from plastigran.experiments.base import Experiment, combinations
 from plastigran.experiments.central import in_lammps
@@ -247,7 +248,8 @@ class CentralImpact(Experiment):
 
     def command_line(self, folder: Path) -> str:
         if self.host == "lammps":
-            return typed_lammps_command(in_lammps.deck(), in_lammps.variables(self), folder)
+            settings = in_lammps.variables(self)
+            return typed_command(in_lammps.deck(), settings, folder, folder, host=LAMMPS)
         return super().command_line(folder)
 
     def run(

@@ -17,13 +17,13 @@ from plastigran.bulk.vtk import time_of
 from plastigran.declared import Declaration, declarations
 from plastigran.engine.dumps import DumpError
 from plastigran.engine.log import (
-    LOG,
     LogFollower,
     find_error,
     find_models,
     find_pair_style,
     find_units,
     find_warnings,
+    log_path,
     read_runs,
 )
 from plastigran.engine.process import EngineError
@@ -51,21 +51,22 @@ def make(results: Results) -> Section:
     except EngineError as error:
         sentences, verdict = [f"{error}."], "record damaged"
         return Section(results=results, state="unfinished", verdict=verdict, missing=sentences)
-    log = (folder / LOG).read_text(errors="replace") if (folder / LOG).is_file() else ""
+    path = log_path(folder)
+    log = path.read_text(errors="replace") if path.is_file() else ""
     missing, run = [], None
     try:
         run = open_run(folder)
     except (EngineError, DumpError) as error:
         missing.append(f"The run cannot be read: {error}.")
     if error := find_error(log):
-        missing.append(f"LIGGGHTS stopped: {error.strip()}")
+        missing.append(f"The run stopped: {error.strip()}")
     if run is None or not run.finished:
-        missing.append(_progress(folder, log))
+        missing.append(_progress(path, log))
     elif len((folder / SERIES).read_text(errors="replace").splitlines()) < 2:
-        missing.append(f"{SERIES} is empty. The page shows data from {LOG} instead.")
+        missing.append(f"{SERIES} is empty. The page shows data from {path.name} instead.")
     warnings = find_warnings(log)
     state, verdict = _verdict(run, len(warnings))
-    timestep = _timestep(record, folder / LOG)
+    timestep = _timestep(record, path)
     charts = [ledger_chart(run.series, run.checks), series_chart(run.series)] if run else []
     movie, damaged_frames = _movie(folder, _clock(timestep, run))
     replaced = ("ledger", "grains") if movie else ("ledger",)
@@ -89,17 +90,17 @@ def make(results: Results) -> Section:
     )
 
 
-def _progress(folder: Path, log: str) -> str:
+def _progress(path: Path, log: str) -> str:
     """Return a sentence on the last step of an unfinished run."""
     if not log:
-        return f"The run has not started: {LOG} is missing or empty."
-    at = LogFollower(folder / LOG).read()
+        return f"The run has not started: {path.name} is missing or empty."
+    at = LogFollower(path).read()
     if not at.last:
-        return f"The run has not finished: {LOG} ends before its first step."
+        return f"The run has not finished: {path.name} ends before its first step."
     share = (at.step - at.first) / max(at.last - at.first, 1)
     return (
-        f"The run has not finished: {LOG} ends at step {at.step} of {at.last}, {share:.0%} of "
-        f"the deck's run number {at.run}. Figures and checks are made at the end of a run. Use "
+        f"The run has not finished: {path.name} ends at step {at.step} of {at.last}, {share:.0%} "
+        f"of the deck's run number {at.run}. Figures and checks are made at the end of a run. Use "
         "plastigran bulk with --restart to continue it from its newest checkpoint."
     )
 

@@ -10,7 +10,7 @@ import pandas as pd
 
 from plastigran.calibration.expected_errors import errors_table
 from plastigran.declared import declarations
-from plastigran.engine.log import LOG, find_error
+from plastigran.engine.log import find_error, log_path
 from plastigran.experiments.central.arrangement import WALLS
 from plastigran.experiments.central.curves import central_case
 from plastigran.experiments.central.remarks import dented
@@ -156,7 +156,7 @@ def _errors(runs: list[Path]) -> list[str]:
     """Return the error messages of LIGGGHTS without repetitions."""
     errors: dict[str, str] = {}
     for run in runs:
-        log = run / LOG
+        log = log_path(run)
         if log.is_file() and (error := find_error(log.read_text(errors="replace"))):
             errors.setdefault(error.strip(), run.name)
     return [f"LIGGGHTS stopped in runs/{run}: {error}" for error, run in errors.items()]
@@ -190,7 +190,7 @@ def _facts(study: dict, table: pd.DataFrame, runs: list[Path]) -> dict[str, str]
             shown = map(title, values) if name in ("material", "wall") else values
             facts[words(name)] = ", ".join(str(value).replace("_", " ") for value in shown)
     versions = dict(study.get("versions", {}))
-    if log := next((run / LOG for run in runs if (run / LOG).is_file()), None):
+    if log := next((log for log in map(log_path, runs) if log.is_file()), None):
         with open(log, errors="replace") as file:
             versions["engine"] = file.readline().strip()
     return facts | version_facts(versions)

@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Bulk decks in LAMMPS: which decks run there, and with which settings."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+from plastigran.engine.deck import index_variables
+
+#: Settings with the values that decks have in LAMMPS.
+SUPPORTED = {
+    "tangential": ("off", "history", "partial_slip", "incremental"),
+    "rolling_friction": ("off",),
+    "frames": ("0",),
+    "contact_history": ("0",),
+}
+
+
+def takes_host(script: Path) -> bool:
+    """Return whether a deck of `inputs/bulk` runs in LAMMPS: it then has the setting `host`."""
+    return "host" in index_variables(script)
+
+
+def refuse_settings(settings: Mapping[str, str]) -> None:
+    """Reject settings that only LIGGGHTS supports.
+
+    Raises:
+        ValueError: A setting is not supported; the message names it.
+    """
+    for name, values in SUPPORTED.items():
+        if settings.get(name, values[0]) not in values:
+            raise ValueError(
+                f"{name} is {settings[name]}; in LAMMPS, it must be {' or '.join(values)}"
+            )

@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Bulk decks in LAMMPS: their checks, the same results as in LIGGGHTS, and restarts."""
+
+from __future__ import annotations
+
+import json
+import shutil
+
+import pytest
+from numpy.testing import assert_allclose
+
+from plastigran.bulk.checks import energy_input
+from plastigran.bulk.decks import deck_class
+from plastigran.bulk.run import run_bulk
+from plastigran.bulk.series import read_series
+from plastigran.cli import main
+from plastigran.engine.checkpoints import PATTERN, step_of
+
+#: Decks with the labels of their short runs, and changes of these. The error of the work of the
+#: punch by the trapezoidal rule depends on the number of rows.
+RUNS = {
+    "cooling_gas": ("", {}),
+    "compaction": ("", {"rows": 200}),
+    "bed_impact-plate": ("plate", {}),
+    "bed_impact-bed": ("bed", {}),
+    "hopper": ("", {}),
+}
+
+
+@pytest.fixture(scope="module")
+def lammps_run(bulk_run):
+    """The short run of a deck in LAMMPS, `lammps_run(name)`, by its name in `RUNS`."""
+
+    def run(name: str):
+        deck, (label, changes) = name.partition("-")[0], RUNS[name]
+        settings = deck_class(deck).briefs[label].settings
+        return bulk_run(deck, {**settings, **changes, "host": "lammps"})
+
+    return run
+
+
+@pytest.mark.parametrize("name", RUNS)
+def test_a_deck_passes_its_checks(name, lammps_run):
+    run = lammps_run(name)
+    assert run.passed and len(run.checks) > 2
+    assert {name.partition("-")[0], "ledger"} <= run.figures.keys()
+    record = json.loads((run.folder / "run.json").read_text())
+    assert record["settings"]["host"] == record["versions"]["host"] == "lammps"
+    assert record["versions"]["engine"].startswith("LAMMPS (22 Jul 2025")
+    assert (run.folder / "log.lammps").exists()
+
+
+@pytest.mark.parametrize(("deck", "label"), [("cooling_gas", ""), ("bed_impact", "plate")])
+def test_both_hosts_give_the_same_series(deck, label, bulk_run):
+    """To 1e-9 of the largest value: the hosts write variables with other digits."""
+    brief = deck_class(deck).briefs[label]
+    settings = {**brief.settings, **(brief.start if deck == "cooling_gas" else {})}
+    series = [bulk_run(deck, settings | {"host": host}).series for host in ("lammps", "liggghts")]
+    for column in ("kinetic", "elastic", "plastic"):
+        expected = series[1][column].to_numpy()
+        assert expected.max() > 0
+        assert_allclose(series[0][column], expected, rtol=0, atol=1e-9 * expected.max())
+
+
+def test_the_bed_dissipates_as_in_liggghts(lammps_run, bulk_run):
+    """A bed amplifies the differences of the tangential springs of both hosts. Of 141 grains, the
+    dissipated energy of 16 shots agrees within 5 %, about the scatter between seeds."""
+    settings = deck_class("bed_impact").briefs["bed"].settings
+    lost = []
+    for run in (lammps_run("bed_impact-bed"), bulk_run("bed_impact", settings)):
+        last = run.series.iloc[-1]
+        lost.append(last["plastic"] + last["friction"])
+    assert_allclose(lost[0], lost[1], rtol=0.05)
+
+
+@pytest.mark.parametrize("name", ["cooling_gas", "bed_impact-plate", "hopper", "compaction"])
+def test_a_run_continues(name, lammps_run, tmp_path):
+    """The sums of the energy balance differ by round-off, so a continued gas and shots agree to
+    1e-9. In the hopper and the die, contacts amplify round-off, so only the next row is compared.
+    """
+    whole, deck = lammps_run(name), name.partition("-")[0]
+    stopped = shutil.copytree(whole.folder, tmp_path / "stopped")
+    checkpoints = sorted(stopped.glob(PATTERN), key=step_of)
+    last = checkpoints[3 * len(checkpoints) // 4 - 1]
+    for file in checkpoints[checkpoints.index(last) + 1 :]:
+        file.unlink()
+    rest = run_bulk(deck, {}, tmp_path / "rest", restart=stopped, show=False)
+    assert rest.passed and len(rest.checks) == len(whole.checks)
+    expected, continued = read_series(whole.folder), read_series(rest.folder)
+    assert continued["step"].tolist() == expected["step"].tolist()
+    rows = expected["step"] > step_of(last)
+    if name in ("hopper", "compaction"):
+        rows &= rows.cumsum() == 1
+    for column in ("kinetic", "plastic", "friction"):
+        scale = (1e-9 if rows.sum() > 1 else 1e-6) * energy_input(expected)
+        assert_allclose(continued[column][rows], expected[column][rows], rtol=0, atol=scale)
+
+
+def test_ranks_agree_on_the_first_impacts(bulk_run, tmp_path):
+    """To 1e-9 of the kinetic energy: ranks add forces in another order."""
+    brief = deck_class("cooling_gas").briefs[""]
+    settings = {**brief.settings, **brief.start, "host": "lammps"}
+    one = bulk_run("cooling_gas", settings).series
+    two = run_bulk("cooling_gas", settings, tmp_path / "run", ranks=2, show=False).series
+    scale = 1e-9 * one["kinetic"].max()
+    assert_allclose(two["kinetic"], one["kinetic"], rtol=0, atol=scale)
+    assert_allclose(two["plastic"], one["plastic"], rtol=0, atol=scale)
+
+
+@pytest.mark.parametrize(
+    ("line", "message"),
+    [
+        ("drum --host lammps", "drum runs only in LIGGGHTS. Decks that run in LAMMPS: bed_impact,"),
+        ("hopper --host lammps -v frames=2", "frames is 2; in LAMMPS, it must be 0"),
+        (
+            "hopper --host lammps -v tangential=no_history",
+            "tangential is no_history; in LAMMPS, it must be off or history",
+        ),
+    ],
+)
+def test_settings_of_liggghts_are_refused(line, message, tmp_path, capsys):
+    assert main(["bulk", *line.split(), "--output", str(tmp_path / "run")]) == 1
+    assert message in capsys.readouterr().err
+    assert not (tmp_path / "run").exists()
