@@ -151,7 +151,7 @@ def test_rewritten_checkpoint_gets_a_new_checksum(copied):
     shutil.copyfile(second, first)
     os.utime(first, ns=(written + 1, written + 1))
     assert differs(first)
-    ChecksumWriter(copied).update()
+    ChecksumWriter(copied, copied / "log.liggghts").update()
     assert not differs(first)
 
 
@@ -160,7 +160,7 @@ def test_failure_to_write_a_checksum_gives_one_warning(copied):
     for file in copied.glob("*.sha256"):
         file.unlink()
         (copied / f"{file.name}.new").mkdir()
-    writer = ChecksumWriter(copied)
+    writer = ChecksumWriter(copied, copied / "log.liggghts")
     with pytest.warns(UserWarning, match="cannot write a checksum: Is a directory") as warned:
         writer.update()
         writer.update()
