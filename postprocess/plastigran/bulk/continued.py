@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import shutil
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -30,7 +31,10 @@ def finish_bulk(
         ValueError: `folder` contains a run with other settings, or as for `run_bulk`.
         EngineError: As for `run_bulk`.
     """
-    parts = [part for part in _parts(folder) if (part / RECORD).is_file()]
+    for part in _parts(folder):
+        if not (part / RECORD).is_file():  # interrupted before LIGGGHTS started
+            shutil.rmtree(part)
+    parts = _parts(folder)
     if not parts:
         return run_bulk(deck, values, folder / "part_1", ranks, force=True, show=show)
     given = {name: str(value) for name, value in values.items()}
@@ -51,4 +55,5 @@ def finish_bulk(
 
 
 def _parts(folder: Path) -> list[Path]:
-    return sorted(folder.glob("part_*"), key=lambda part: int(part.name.removeprefix("part_")))
+    parts = [part for part in folder.glob("part_*") if part.name[5:].isdigit()]
+    return sorted(parts, key=lambda part: int(part.name[5:]))

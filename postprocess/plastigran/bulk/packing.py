@@ -101,6 +101,8 @@ def write_data(
         "",
     ]
     table = zip(types, 2 * radii, densities, *positions.T, strict=True)
-    for number, (kind, diameter, density, x, y, z) in enumerate(table, start=1):
-        lines.append(f"{number} {kind} {diameter:.17g} {density:.17g} {x:.17g} {y:.17g} {z:.17g}")
+    for number, (atom_type, diameter, density, x, y, z) in enumerate(table, start=1):
+        lines.append(
+            f"{number} {atom_type} {diameter:.17g} {density:.17g} {x:.17g} {y:.17g} {z:.17g}"
+        )
     path.write_text("\n".join(lines) + "\n")

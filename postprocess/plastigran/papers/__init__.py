@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from importlib import import_module
+from pathlib import Path
 from pkgutil import iter_modules
 from typing import TYPE_CHECKING
 
@@ -16,11 +17,12 @@ def paper_names() -> list[str]:
     return sorted({module.name for module in iter_modules(__path__)} - {"base"})
 
 
-def find_paper(name: str, **options: object) -> Paper:
+def find_paper(name: str, folder: Path | None = None, **options: object) -> Paper:
     """Return a paper by its short name.
 
     Args:
         name: Short name.
+        folder: Folder of the bulk runs of a benchmark; by default results/NAME.
         options: Options of a benchmark with cases; see `plastigran.papers.dosta24.paper`.
 
     Raises:
@@ -30,7 +32,7 @@ def find_paper(name: str, **options: object) -> Paper:
         raise ValueError(f"no paper {name!r}. Available papers: {', '.join(paper_names())}")
     module = import_module(f"{__name__}.{name}")
     if hasattr(module, "paper"):
-        return module.paper(**options)
+        return module.paper(folder=folder, **options)
     if options:
         raise ValueError(f"{name} has no --{min(options)}. Remove --{min(options)}")
     return module.PAPER

@@ -22,7 +22,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
     bulk = command.add_argument_group(
         "bulk benchmarks", "Only for dosta24. An interrupted command continues its runs."
     )
-    bulk.add_argument("--case", choices=("impact",), help="compute one case, default all")
+    bulk.add_argument("--case", choices=("impact", "silo"), help="compute one case, default all")
     bulk.add_argument("--grains", type=positive_integer, help="number of grains")
     bulk.add_argument(
         "--law",
@@ -37,9 +37,10 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> None:
     names = ("case", "grains", "law", "beds", "ranks")
     options = {name: value for name in names if (value := getattr(arguments, name)) is not None}
-    if options and arguments.docs:
-        raise ValueError(f"--docs needs complete results. Remove --{min(options)}")
-    if arguments.paper == "dosta24":
-        options["folder"] = arguments.output or Path("results") / "dosta24"
-    paper = find_paper(arguments.paper, **options)
+    if (fewer := options.keys() - {"ranks"}) and arguments.docs:
+        raise ValueError(f"--docs needs complete results. Remove --{min(fewer)}")
+    if (given := options.keys() & {"grains", "beds"}) and arguments.coarse:
+        raise ValueError(f"--coarse runs one small bed. Remove --{min(given)}")
+    folder = arguments.output or Path("results") / arguments.paper
+    paper = find_paper(arguments.paper, folder, **options)
     run_evidence(paper, f"{paper.citation}: {paper.title}", arguments)

@@ -6,11 +6,11 @@ from __future__ import annotations
 from pathlib import Path
 
 from plastigran.papers.base import Paper
-from plastigran.papers.dosta24 import impact
+from plastigran.papers.dosta24 import impact, silo
 from plastigran.report.base import Findings
 
 #: Modules of the cases by name. Each has `compute`, and names of its results with their functions.
-CASES = {"impact": impact}
+CASES = {"impact": impact, "silo": silo}
 
 
 def paper(case: str | None = None, folder: Path | None = None, **options: object) -> Paper:

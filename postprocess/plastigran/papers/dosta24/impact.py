@@ -12,6 +12,7 @@ import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from plastigran.bulk.checks import ENERGIES
 from plastigran.bulk.continued import finish_bulk
 from plastigran.bulk.outcome import BulkRun
 from plastigran.papers.dosta24.contacts import CONTACTS
@@ -20,10 +21,10 @@ from plastigran.plot.style import COLOURS, styled, subplots
 
 #: Times at which the benchmark compares the displacement of the ball [s].
 TIMES = (0.03, 0.05, 0.1)
+#: Number of grains of the bed that all eight codes have computed.
+EIGHT_CODES_BED = 25000
 #: Numbers of grains of the published beds.
 PUBLISHED_BEDS = (25000, 50000, 100000)
-#: Gravitational acceleration [m/s^2].
-GRAVITY = 9.81
 #: Numbers of beds by contacts and number of grains.
 BEDS = {25000: {"hertz": 2, "thornton": 1}}
 #: Settings of all runs. The ball flies freely before the end. The time step is twice that of the
@@ -80,29 +81,32 @@ def compute(
                     folder / f"impact_{count}_{label}_{seed}",
                     ranks,
                     progress,
-                )
+                ).raise_if_failed()
                 for seed in range(1, number + 1)
             ]
     return Impact(runs, coarse)
 
 
-def displacement_at(time: float, series: pd.DataFrame) -> float:
+def displacement_at(time: float, run: BulkRun) -> float:
     """Return the displacement of the ball [m].
 
-    After the end of a run, a ball flies freely if it still moves upward at `time`; otherwise, the
-    displacement is NaN.
+    After the end of a run, a ball above the bed flies freely if it still moves upward at `time`.
+    For another ball, the displacement is NaN.
 
     Args:
         time: Time [s].
-        series: Columns time [s], displacement [m], and velocity [m/s] if `time` is after the end.
+        run: Run of the deck.
     """
+    series, deck = run.series, run.deck
     last = series.iloc[-1]
     later = time - last["time"]
     if later <= 1e-12:
         return float(np.interp(time, series["time"], series["displacement"]))
-    if last["velocity"] <= GRAVITY * later:
+    gravity = deck.gravitational_acceleration
+    above_bed = last["ball"] > deck.bed_height + deck.ball_radius
+    if not above_bed or last["velocity"] <= gravity * later:
         return np.nan
-    return last["displacement"] + last["velocity"] * later - GRAVITY * later**2 / 2
+    return last["displacement"] + last["velocity"] * later - gravity * later**2 / 2
 
 
 def impact(data: Impact) -> pd.DataFrame:
@@ -112,49 +116,48 @@ def impact(data: Impact) -> pd.DataFrame:
     The columns of the eight codes are the lowest and highest mean of a code. The last columns are
     runs from the published bed.
     """
-    codes = eight_codes().values()
     rows = []
     for count in dict.fromkeys(count for count, _ in data.runs):
-        for time in (*TIMES, "largest depth"):
-            row = {"grains": count, "time (ms)": time if time == "largest depth" else 1e3 * time}
+        for time in (*TIMES, None):
+            quantity = f"displacement at {1e3 * time:g} ms" if time else "largest depth"
+            row = {"grains": count, "quantity": quantity}
             for (number, label), runs in data.runs.items():
                 if number == count:
-                    ours = np.array([_of_series(run.series, time) for run in runs])
+                    ours = np.array([_measured(run, time) for run in runs])
                     row[label] = 1e3 * ours.mean()
                     if len(ours) > 1:
                         deviation = ours.std(ddof=1) / np.sqrt(len(ours))
                         row[f"{label}, deviation"] = 1e3 * deviation
-            if count == 25000:
-                means = [_of_code(code, time) for code in codes]
+            if count == EIGHT_CODES_BED:
+                means = [_published(code, time) for code in eight_codes().values()]
                 row |= {"codes, lowest": 1e3 * min(means), "codes, highest": 1e3 * max(means)}
             if count in PUBLISHED_BEDS:
                 for name, run in reruns(count).items():
-                    row[f"{name}, published bed"] = 1e3 * _of_series(run, time)
+                    row[f"{name}, published bed"] = 1e3 * _published(run, time)
             rows.append(row)
     return pd.DataFrame(rows)
 
 
-def _of_series(series: pd.DataFrame, time: float | str) -> float:
-    if time == "largest depth":
-        return float(series["displacement"].min())
-    return displacement_at(time, series)
+def _measured(run: BulkRun, time: float | None) -> float:
+    """Return the displacement at `time`, or the largest depth as a displacement [m]."""
+    return displacement_at(time, run) if time else float(run.series["displacement"].min())
 
 
-def _of_code(code: pd.DataFrame, time: float | str) -> float:
-    return _of_series(code.rename(columns={"mean": "displacement"}), time)
+def _published(table: pd.DataFrame, time: float | None) -> float:
+    """Return the same of a published trajectory with columns time [s] and displacement [m]."""
+    if time is None:
+        return float(table["displacement"].min())
+    return float(np.interp(time, table["time"], table["displacement"]))
 
 
 def energies(data: Impact) -> pd.DataFrame:
-    """Return where the energy of ball and bed is at the end, in per cent of the energy input."""
+    """Return the energy of ball and bed at the end [J], and its terms in per cent of it."""
     rows = []
     for (count, label), runs in data.runs.items():
-        if runs[0].deck.ledger == "off":
-            continue
-        last = pd.DataFrame([run.series.iloc[-1] for run in runs]).mean()
-        terms = ("kinetic", "elastic", "plastic", "friction", "viscous")
-        total = sum(last[term] for term in terms)
-        shares = {f"{term}, %": 100 * last[term] / total for term in terms}
-        rows.append({"grains": count, "law": label, "energy input (J)": total, **shares})
+        if runs[0].deck.ledger == "on":
+            last = pd.DataFrame([run.series.iloc[-1] for run in runs])[ENERGIES].mean()
+            shares = {f"{term}, %": 100 * last[term] / last.sum() for term in ENERGIES}
+            rows.append({"grains": count, "law": label, "energy (J)": last.sum(), **shares})
     return pd.DataFrame(rows)
 
 
@@ -182,11 +185,11 @@ def impact_figure(data: Impact) -> Figure:
 
 def _draw_published(axis: Axes, count: int) -> None:
     """Draw the eight codes as a band of mean and deviation, and the runs from the published bed."""
-    if count == 25000:
+    if count == EIGHT_CODES_BED:
         codes = eight_codes().values()
         time = next(iter(codes))["time"]
-        lowest = np.min([code["mean"] - code["sd"] for code in codes], axis=0)
-        highest = np.max([code["mean"] + code["sd"] for code in codes], axis=0)
+        lowest = np.min([code["displacement"] - code["sd"] for code in codes], axis=0)
+        highest = np.max([code["displacement"] + code["sd"] for code in codes], axis=0)
         label = "eight codes, mean and deviation"
         axis.fill_between(1e3 * time, 1e3 * lowest, 1e3 * highest, color="0.85", label=label)
     if count in PUBLISHED_BEDS:

@@ -22,7 +22,7 @@ def eight_codes() -> dict[str, pd.DataFrame]:
     """Return the displacement of the ball in beds of 25000 grains, by code.
 
     Returns:
-        For each code, columns time [s], mean and sd [m] over its beds.
+        For each code, columns time [s], and mean displacement and sd [m] over its beds.
     """
     table = _read("impact_25k")
     codes = [name.removesuffix("_mean") for name in table if name.endswith("_mean")]
@@ -30,7 +30,7 @@ def eight_codes() -> dict[str, pd.DataFrame]:
         code: pd.DataFrame(
             {
                 "time": table["time_s"],
-                "mean": table[f"{code}_mean"] - START,
+                "displacement": table[f"{code}_mean"] - START,
                 "sd": table[f"{code}_sd"],
             }
         )
@@ -53,4 +53,17 @@ def reruns(grains: int) -> dict[str, pd.DataFrame]:
             }
         )
         for label, code in (("LIGGGHTS", "liggghts"), ("MUSEN", "musen"))
+    }
+
+
+def silo() -> dict[str, pd.DataFrame]:
+    """Return the number of grains above the large orifice, material M1, by code.
+
+    Returns:
+        For LIGGGHTS and MUSEN, columns time [s] and held.
+    """
+    table = _read("silo")
+    return {
+        code: pd.DataFrame({"time": table["time_s"], "held": table[column]}).dropna()
+        for code, column in (("LIGGGHTS", "large_M1_liggghts"), ("MUSEN", "large_M1_musen"))
     }

@@ -14,13 +14,14 @@ def impact_figure(series: pd.DataFrame, surface: float) -> Figure:
 
     Args:
         series: Columns time [s], displacement [m] and velocity [m/s].
-        surface: Displacement of the ball's center at the initial surface of the bed [m].
+        surface: Displacement at which the ball touches the initial surface of the bed [m].
     """
     with styled():
         figure, (left, right) = subplots(1, 2, figsize=(9.2, 3.8))
         time = 1e3 * series["time"]
         left.plot(time, 1e3 * series["displacement"], color=COLOURS[0])
-        left.axhline(1e3 * surface, color="0.5", lw=1)
+        left.axhline(1e3 * surface, color="0.5", lw=1, label="surface of the bed")
+        left.legend()
         left.set(xlabel="time (ms)", ylabel="displacement of the ball (mm)")
         right.plot(time, series["velocity"], color=COLOURS[0])
         right.set(xlabel="time (ms)", ylabel="velocity of the ball (m/s)")

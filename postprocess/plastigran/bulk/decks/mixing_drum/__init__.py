@@ -13,24 +13,22 @@ import pandas as pd
 from scipy.optimize import brentq
 
 from plastigran.bulk.checks import count_check
-from plastigran.bulk.deck import Analysis, Brief, GranularDeck
+from plastigran.bulk.deck import BENCHMARK_BALANCE, Analysis, Brief, GranularDeck
 from plastigran.bulk.decks.mixing_drum.figure import zones_figure
 from plastigran.bulk.packing import random_packing, write_data
 from plastigran.declared import number, radius_field, require, whole
-
-#: Largest balance error / energy input.
-BALANCE = 1e-3
 
 
 @attrs.frozen(kw_only=True)
 class MixingDrum(GranularDeck):
     """Small grains above large grains in a rotating drum with rotating end plates."""
 
+    balance_limit: ClassVar = BENCHMARK_BALANCE
     briefs: ClassVar = {
         "": Brief(
             {"drum_radius": 0.03, "length": 0.014, "grain_count": 250, "large_count": 60}
             | {"timestep": 2e-6, "duration": 0.04, "rows": 20, "checkpoints": 4}
-            | {"volume_fraction": 0.35},
+            | {"volume_fraction": 0.25},
             start={"duration": 0.02},
         )
     }
@@ -56,6 +54,15 @@ class MixingDrum(GranularDeck):
             raise ValueError(
                 f"grain_count is {self.grain_count} and large_count is {self.large_count}; so many "
                 "grains do not fit into the drum. Lower one of them"
+            )
+        layers = self.level(self.areas[0]), self.level(sum(self.areas))
+        if layers[0] - self.large_radius <= -self._reach(self.large_radius):
+            raise ValueError(
+                f"large_count is {self.large_count}; it must be larger to fill one layer of grains"
+            )
+        if layers[1] - layers[0] <= 2 * self.radius:
+            raise ValueError(
+                f"grain_count is {self.grain_count}; it must be larger to fill one layer of grains"
             )
         GranularDeck.check(self)
 
@@ -92,31 +99,35 @@ class MixingDrum(GranularDeck):
             3,
         )
 
+    def _reach(self, radius: float) -> float:
+        """Return the largest distance of a grain from the axis, inside the facets [m]."""
+        return 0.98 * self.drum_radius - radius
+
     def _layer(
         self, count: int, radius: float, lower: float, upper: float, seed: int
     ) -> np.ndarray:
         """Return positions of equal grains between two heights in the drum (count, 3) [m]."""
-        reach = 0.98 * self.drum_radius - radius  # inside the facets of the shell
-        side = self.length / 2 - radius
+        reach, side = self._reach(radius), self.length / 2 - radius
+        bottom, top = max(lower + radius, -reach), min(upper - radius, reach)
 
         def confine(places: np.ndarray, _: np.ndarray) -> np.ndarray:
             x, y, z = places.T
-            z = np.clip(z, max(lower + radius, -reach), min(upper - radius, reach))
+            # Move outer grains toward the axis, so that they slide along the shell. Then move those
+            # that this has moved out of the layer.
+            inward = np.minimum(1, reach / np.maximum(np.hypot(x, z), 1e-300))
+            z = np.clip(inward * z, bottom, top)
             width = np.sqrt(reach**2 - z**2)
-            return np.column_stack([np.clip(x, -width, width), np.clip(y, -side, side), z])
+            return np.column_stack([np.clip(inward * x, -width, width), np.clip(y, -side, side), z])
 
         def start(random: np.random.Generator) -> np.ndarray:
-            places = random.uniform(
-                [-reach, -side, lower], [reach, side, upper], (20 * count + 1000, 3)
-            )
-            inside = np.hypot(places[:, 0], places[:, 2]) < reach
-            return places[inside][:count]
+            places = np.empty((0, 3))
+            while len(places) < count:
+                drawn = random.uniform([-reach, -side, bottom], [reach, side, top], (count, 3))
+                inside = np.hypot(drawn[:, 0], drawn[:, 2]) < reach
+                places = np.vstack([places, drawn[inside]])
+            return places[:count]
 
         return random_packing(np.full(count, radius), start, confine, seed)
-
-    def ledger_limit(self, series: pd.DataFrame) -> float:
-        """Return the largest balance error as a fraction of the energy input [-]."""
-        return BALANCE
 
     def analyse(self, series: pd.DataFrame) -> Analysis:
         """Analyse the mixing; arguments as for `BulkDeck.analyse`."""

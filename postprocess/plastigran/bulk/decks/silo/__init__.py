@@ -13,7 +13,7 @@ import pandas as pd
 from scipy.stats import linregress
 
 from plastigran.bulk.checks import Check
-from plastigran.bulk.deck import Analysis, Brief, GranularDeck
+from plastigran.bulk.deck import BENCHMARK_BALANCE, Analysis, Brief, GranularDeck
 from plastigran.bulk.decks.silo.figure import silo_figure
 from plastigran.bulk.packing import random_packing, write_data
 from plastigran.declared import number, require, whole, word
@@ -24,8 +24,6 @@ BARREL, TOP = 0.1, 0.3
 ORIFICES = {"large": 0.03, "small": 0.02}
 #: Depth below the orifice at which grains are deleted [m].
 FALL = 0.05
-#: Largest balance error / energy input.
-BALANCE = 1e-3
 #: Fraction of the grains below which the rate is not measured, because the surface is near the
 #: orifice.
 REST = 0.1
@@ -37,6 +35,7 @@ ROWS = 10
 class Silo(GranularDeck):
     """Grains flow out of a barrel on a cone of 45 degrees."""
 
+    balance_limit: ClassVar = BENCHMARK_BALANCE
     briefs: ClassVar = {
         "": Brief(
             {"grain_count": 300, "timestep": 3e-6, "duration": 0.12, "settling": 0.05}
@@ -87,11 +86,13 @@ class Silo(GranularDeck):
 
         def start(random: np.random.Generator) -> np.ndarray:
             # Accept heights with a probability proportional to the area of the cross section.
-            z = random.uniform(0, height, 50 * count)
-            widths = np.minimum(BARREL, opening + z)
-            accepted = random.random(len(z)) < (widths / BARREL) ** 2
-            z, widths = z[accepted][:count], widths[accepted][:count]
-            distance = widths * np.sqrt(random.random(count))
+            z = np.empty(0)
+            while len(z) < count:
+                heights = random.uniform(0, height, count)
+                widths = np.minimum(BARREL, opening + heights)
+                z = np.append(z, heights[random.random(count) < (widths / BARREL) ** 2])
+            z = z[:count]
+            distance = np.minimum(BARREL, opening + z) * np.sqrt(random.random(count))
             angle = random.uniform(0, 2 * pi, count)
             return np.column_stack([distance * np.cos(angle), distance * np.sin(angle), z])
 
@@ -106,10 +107,6 @@ class Silo(GranularDeck):
             random_packing(radii, start, confine, int(self.seed)),
             2,
         )
-
-    def ledger_limit(self, series: pd.DataFrame) -> float:
-        """Return the largest balance error as a fraction of the energy input [-]."""
-        return BALANCE
 
     def rate(self, series: pd.DataFrame) -> float | None:
         """Return the discharge rate [grains/s], or None if the run has too few rows.
