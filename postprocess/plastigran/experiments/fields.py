@@ -90,6 +90,8 @@ def law_options(law: str, text: str | None) -> dict[str, str]:
     choices = {option["name"]: option["choices"] for option in laws.LAWS[law].options()}
     for name, choice in chosen.items():
         if name not in choices:
+            if name == "adhesion":  # an option of a deck's pair_style line only
+                raise ValueError("adhesion is not an option here. Give --surface-energy instead")
             raise ValueError(
                 f"{law} has no option {name!r}. Available options: {', '.join(choices) or 'none'}"
             )

@@ -25,10 +25,12 @@ from plastigran.plot.style import styled, subplots, title
 #: Largest number of loops in a panel.
 LOOPS = 5
 RESTITUTION = "coefficient_of_restitution"
+#: Names of the codes that run impacts, by the setting `host`.
+HOSTS = {"liggghts": "LIGGGHTS", "lammps": "LAMMPS"}
 
 
 def restitution_figure(runs: Runs) -> Figure:
-    """Draw restitution versus impact speed: points of LIGGGHTS, and lines of theory.
+    """Draw restitution versus impact speed: points of LIGGGHTS or LAMMPS, and lines of theory.
 
     In a study by theory alone, the points are theory too. If all impacts are those of the sphere of
     Zhang and Vu-Quoc (2002), the figure also shows the results of their finite elements.
@@ -41,7 +43,7 @@ def restitution_figure(runs: Runs) -> Figure:
         draw(axes, panel)
         _speed_axes(axes, runs.cases)
         place = {"loc": "center left", "bbox_to_anchor": (1, 0.5)} if crowded else {"loc": "best"}
-        heading = None if runs.by_theory else "points: LIGGGHTS, lines: theory"
+        heading = None if runs.by_theory else f"points: {HOSTS[runs.cases[0].host]}, lines: theory"
         axes.legend(title=heading, fontsize="small", title_fontsize="small", **place)
         figure.suptitle(_common(runs.cases), fontsize=10)
     return figure

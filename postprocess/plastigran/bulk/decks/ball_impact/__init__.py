@@ -40,6 +40,7 @@ class BallImpact(GranularDeck):
     }
 
     grain_count: int = whole("number of grains", 1)
+    seed: int = whole("seed of the random grains")
     volume_fraction: float = number("volume fraction of the initial bed", "-", 0, 0.6)
     length: float = number("inner length of the box", "m", 0)
     width: float = number("inner width of the box", "m", 0)
@@ -70,7 +71,7 @@ class BallImpact(GranularDeck):
             radii,
             lambda random: random.uniform(lowest, corner, (self.grain_count, 3)),
             lambda places, _: np.clip(places, lowest + self.radius, corner - self.radius),
-            int(self.seed),
+            self.seed,
         )
         margin = 4 * self.radius
         top = self.ball_height + self.ball_radius + margin

@@ -42,6 +42,7 @@ class MixingDrum(GranularDeck):
     large_density: float = number("density of a large grain", "kg/m^3", 0)
     large_youngs_modulus: float = number("Young's modulus of a large grain", "Pa", 0)
     large_yield_strength: float = number("yield strength of a large grain", "Pa", 0)
+    seed: int = whole("seed of the random grains")
     volume_fraction: float = number("volume fraction of the initial bed", "-", 0, 0.6)
     duration: float = number("duration of the run", "s", 0)
 
@@ -84,8 +85,8 @@ class MixingDrum(GranularDeck):
         """Write the bed to `grains.data`."""
         floor, border = -self.drum_radius, self.level(self.areas[0])
         surface = self.level(sum(self.areas))
-        large = self._layer(self.large_count, self.large_radius, floor, border, int(self.seed))
-        small = self._layer(self.grain_count, self.radius, border, surface, int(self.seed) + 1)
+        large = self._layer(self.large_count, self.large_radius, floor, border, self.seed)
+        small = self._layer(self.grain_count, self.radius, border, surface, self.seed + 1)
         counts = [self.grain_count, self.large_count]
         side, half = 1.3 * self.drum_radius, 0.5 * self.drum_radius + 4 * self.large_radius
         write_data(

@@ -46,6 +46,7 @@ class Silo(GranularDeck):
 
     orifice: str = word("orifice", tuple(ORIFICES))
     grain_count: int = whole("number of grains", 1)
+    seed: int = whole("seed of the random grains")
     volume_fraction: float = number("volume fraction of the initial filling", "-", 0, 0.6)
     duration: float = number("duration of the run", "s", 0)
     settling: float = number("time before the rate is measured", "s", 0, lower_allowed=True)
@@ -104,7 +105,7 @@ class Silo(GranularDeck):
             np.ones(count, int),
             radii,
             np.full(count, self.density),
-            random_packing(radii, start, confine, int(self.seed)),
+            random_packing(radii, start, confine, self.seed),
             2,
         )
 
