@@ -43,6 +43,7 @@ class TangentialModelOf : public TangentialModel {
       const bool is_pair = gm->contact_type == LAMMPS_NS::Granular_NS::PAIR;
       const double spin_j = is_pair ? dot(vector(gm->omegaj), motion.normal) : 0;
       motion.displacement = gm->dt * vector(gm->vtr);
+      motion.separation = gm->dt * gm->vnnr;
       motion.spin = 0.5 * gm->dt * (dot(vector(gm->omegai), motion.normal) + spin_j);
     }
     const NormalLoad load{std::max(0.0, normal_.limiting_force()), normal_.tangential_stiffness()};
