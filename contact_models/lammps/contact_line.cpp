@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <set>
 #include <sstream>
 
 #include "plastigran/friction/incremental.h"
@@ -134,8 +135,10 @@ Complaint ContactLine::read(const std::vector<std::string>& line) {
                        "`; it must be Young's modulus [Pa] and Poisson's ratio, `body FILE`, "
                        "`rigid`, or `mixed`");
   }
+  std::set<std::string> given;
   while (at < line.size() && !begins_models(line[at])) {
     const std::string name = next();
+    if (!given.insert(name).second) return Complaint('{' + name + "} is given twice; give it once");
     if (at >= line.size()) return Complaint("the value of {" + name + "} is missing");
     const std::string value = next();
     if (name == "viscous") {

@@ -233,8 +233,10 @@ EnergyBalance::Terms EnergyBalance::terms() {
 }
 
 void EnergyBalance::write_restart(FILE* file) {
-  Sums sums;
-  MPI_Reduce(&sums_, &sums, sizeof sums / sizeof(double), MPI_DOUBLE, MPI_SUM, 0, world);
+  Sums sums, own = sums_;
+  own.begun = started_;
+  own.last_state = started_ ? state_energy() : 0;
+  MPI_Reduce(&own, &sums, sizeof sums / sizeof(double), MPI_DOUBLE, MPI_SUM, 0, world);
   if (comm->me != 0) return;
   const int size = sizeof sums;
   std::fwrite(&size, sizeof size, 1, file);
@@ -242,9 +244,13 @@ void EnergyBalance::write_restart(FILE* file) {
 }
 
 void EnergyBalance::restart(char* data) {
-  started_ = true;
+  Sums stored;
+  std::memcpy(&stored, data, sizeof stored);
+  started_ = has_run_ = stored.begun > 0;
   // Rank 0 takes the sums of all ranks; the other ranks start at zero.
-  if (comm->me == 0) std::memcpy(&sums_, data, sizeof sums_);
+  if (comm->me != 0) return;
+  sums_ = stored;
+  last_state_ = stored.last_state;
 }
 
 }  // namespace plastigran

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "error.h"
 #include "lammps/energy_balance.h"
 #include "update.h"
 
@@ -10,6 +11,9 @@ namespace plastigran {
 
 EnergyCompute::EnergyCompute(LAMMPS_NS::LAMMPS* lammps, int count, char** words)
     : Compute(lammps, count, words) {
+  if (count > 3)
+    error->all(FLERR, "compute {} {} plastigran/energy: unknown word {}; remove it", words[0],
+               words[1], words[3]);
   vector_flag = 1;
   size_vector = EnergyBalance::TERMS;
   extvector = 1;

@@ -92,6 +92,33 @@ def test_changes_by_the_deck_are_inserted_energy(tmp_path):
     assert_allclose(after, gains, atol=1e-9 * stored, rtol=1e-9)
 
 
+@pytest.mark.parametrize("steps", [0, 3])
+def test_changes_after_a_restart_are_inserted_energy(steps, tmp_path):
+    """The restart file is written before or after the first run. Then the deck changes the speed of
+    a sphere. Before the first run, the balance has not begun. The tolerance is round-off.
+    """
+    motion = f"{ENERGY}\nfix motion all nve/noforce\ntimestep 1e-6"
+    log = run(
+        tmp_path,
+        f"""{box(8 * RADIUS)}{numbered([sphere(5 * RADIUS, 0, 0, 0.1, 0)])}
+        pair_style granular/plastigran
+        pair_coeff * * hertz {body()} {FRICTION}
+        {motion}
+        {f"run {steps}" if steps else ""}
+        write_restart moving.restart
+        clear
+        read_restart moving.restart
+        {motion}
+        velocity all set 0.3 0 0 units box
+        run 1
+        """,
+    )
+    last = terms(log).iloc[-1]
+    gain = 0.5 * 4 / 3 * 3.141592653589793 * RADIUS**3 * MATERIAL.density * (0.3**2 - 0.1**2)
+    assert last["inserted"] == pytest.approx(gain if steps else 0, rel=1e-9, abs=1e-15)
+    assert abs(last["drift"]) < 1e-12 * last["kinetic"]
+
+
 def test_poured_grains_are_inserted_energy(tmp_path):
     """The balance error is below 1e-5 of the largest kinetic energy. It arises because gravity
     accelerates an inserted grain for only half of its first step."""

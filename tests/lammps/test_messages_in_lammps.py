@@ -49,6 +49,11 @@ def script(lines: str) -> str:
         ),
         (f"{PAIR}pair_coeff * * thornton {BODY} cutoff", "Illegal pair_coeff"),
         (f"{PAIR}pair_coeff * * thornton {BODY} hardness", "the value of hardness is missing"),
+        (
+            line(f"thornton {BODY} yield_strength 3e9"),
+            "yield_strength is given twice; give it once",
+        ),
+        (f"{GOOD}compute energy all plastigran/energy all", "unknown word all; remove it"),
         (f"{PAIR}pair_coeff * *", "pair_coeff: give atom types, law and body"),
         (line(f"jkr {BODY}"), "jkr: surface_energy"),
         (line(f"universal {BODY} yielding cube"), "yielding is cube; it must be"),
