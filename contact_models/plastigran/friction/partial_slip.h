@@ -139,7 +139,7 @@ class PartialSlip {
   PLASTIGRAN_DEVICE static double cube_root(double force, double near) {
     double x = near > 0 ? force / cube(near) - 1 : 1;
     if (std::abs(x) > 1.0 / 64) {
-      if (std::abs(x) > 0.5) return std::cbrt(force);
+      if (std::abs(x) > 0.45) return std::cbrt(force);
       near *= (3 + 2 * x) / (3 + x);
       x = force / cube(near) - 1;
     }
