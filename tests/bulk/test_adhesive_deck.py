@@ -44,6 +44,6 @@ def test_shares_of_adhesion_complete_the_energy_input(tmp_path):
     # The balance error is below 0.2 % of the input.
     assert sum(shares.values()) == pytest.approx(1, abs=2e-3)
     assert min(shares["surface energy of contacts"]) < 0
-    assert "the surface energy of contacts lies below zero" in chart.caption
+    assert "the surface energy of contacts is negative" in chart.caption
     legend = run.figures["ledger"].axes[0].get_legend().get_texts()
     assert names | {"loss by adhesion"} == {entry.get_text() for entry in legend}

@@ -46,7 +46,7 @@ def test_fewer_rows_widen_the_limit_of_the_weight(flowed):
     more."""
     sparse = read_series(flowed.folder).iloc[::12].reset_index(drop=True)
     weight = flowed.deck.analyse(sparse).checks[-2]
-    assert "weight's work" in weight.name and weight.passed
+    assert "work of gravity" in weight.name and weight.passed
     assert weight.value > WEIGHT
 
 

@@ -35,7 +35,7 @@ def test_surface_has_two_openings_only(size):
 def test_facets_are_smooth_for_liggghts(size):
     """Contact history passes between facets that meet at less than `curvature`, which must be below
     every corner. Otherwise a yielding grain on such an edge creates energy."""
-    deck = (PROJECT / "inputs" / "bulk" / "hopper" / "grains.in").read_text()
+    deck = (PROJECT / "inputs" / "bulk" / "hopper" / "walls_liggghts.in").read_text()
     curvature = float(re.search(r"hopper_\S+ .* curvature (\S+)", deck)[1])
     # The facets of the barrel meet at 360/SEGMENTS degrees, those of the cone at less.
     assert curvature > 360 / make_hopper.SEGMENTS

@@ -36,5 +36,5 @@ def test_hopper_with_an_impossible_orifice_is_refused(orifice, elsewhere):
     line = [sys.executable, elsewhere / "make_hopper.py", orifice]
     done = subprocess.run(line, capture_output=True, text=True)
     assert done.returncode == 1
-    assert f"orifice is {orifice}; it must be a number above 1.4, at most 8" in done.stderr
+    assert f"orifice is {orifice}; it must be a number above 1.4 and at most 8" in done.stderr
     assert not list(elsewhere.glob("*.stl"))

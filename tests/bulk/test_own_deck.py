@@ -232,7 +232,7 @@ def test_misspelt_law_is_refused(plain, tmp_path):
     """The name is in a setting or in the model line. Models of LIGGGHTS or of the user are
     accepted."""
     template = write_deck(tmp_path / "falling", "thornton", "steel")
-    message = r"{}\.in: no contact model '{}'. Possible misspelling of {}"
+    message = r"{}\.in: contact model '{}' is unknown\. Use {}"
     with pytest.raises(ValueError, match=message.format("falling", "universl", "universal")):
         plan_bulk(template, {"law": "universl"}, tmp_path / "run")
     write_plain(plain, ("model thornton", "model thorton"))
@@ -240,7 +240,7 @@ def test_misspelt_law_is_refused(plain, tmp_path):
         plan_bulk(plain, {}, tmp_path / "run")
     write_plain(plain, ("model thornton", "model  thornton2"))
     with pytest.warns(
-        UserWarning, match="model .thornton2.. Possible misspelling of thornton.*Ignore this"
+        UserWarning, match=r"model .thornton2. is unknown\. Use thornton.*Ignore this"
     ):
         plan_bulk(plain, {}, tmp_path / "run")
     for model in ("hertz/stiffness", "thornton_ning", "${own}"):

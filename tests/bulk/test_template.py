@@ -91,7 +91,7 @@ def test_template_takes_all_constants_of_the_material(tmp_path):
 @pytest.mark.parametrize(
     ("line", "message"),
     [
-        ("mine", "mine exists. Choose another name"),
+        ("mine", "mine already exists. Choose another name"),
         ("a\nb", "contains white space"),
         ("a%b", "'a%b' contains white space, % or *"),
         ("new --law hertz", "hertz is LIGGGHTS' own model without"),

@@ -129,7 +129,7 @@ def test_finite_elements_fit_the_constants_and_have_a_figure(capsys, tmp_path, c
         (["--yield", "3e8", "--finite-strain"], "--finite-strain needs --fem"),
         (["--yield", "3e8", "--force"], "--force is given, but has no effect without --output"),
         (["--hardness", "200", "--output", "metal.txt"], "must end in .in"),
-        (["--drop", "nowhere.csv"], "plastigran: no file nowhere.csv"),
+        (["--drop", "nowhere.csv"], "plastigran: the file nowhere.csv does not exist"),
         (["--hardness", "200", "--law", "hertz"], "law is 'hertz'"),
     ],
 )

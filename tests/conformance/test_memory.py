@@ -115,8 +115,11 @@ def test_contacts_of_another_line_begin_anew(owner, tmp_path):
     """
     commands, changed = OTHER_LINES[owner]
     log = run_with(commands, "stronge", tmp_path)
-    begins = f"WARNING: plastigran: {owner}: contacts start without history, because their models "
-    assert f"{begins}changed from `model stronge tangential history unloading book" in log
+    begins = f"WARNING: plastigran: {owner}: contacts start without history, because the models "
+    assert (
+        f"{begins}of these contacts changed from `model stronge tangential history unloading book"
+        in log
+    )
     assert log.count("start without history") == 1
     before, after = held_forces(tmp_path)[[0, -1]]
     ratio = np.abs(after[:, 0] / before[:, 0])

@@ -143,7 +143,7 @@ def test_size(tmp_path, monkeypatch, capsys):
     said = capsys.readouterr().out
     assert "thornton, ledger 1" in said and "allreduce: 1 per step" in said
     script.many(SimpleNamespace(steps=5), count=4)
-    apart = re.findall(r"at most (\S+) apart", capsys.readouterr().out)
+    apart = re.findall(r"largest difference (\S+)", capsys.readouterr().out)
     assert len(apart) == 3 and max(map(float, apart)) < 1e-9  # round-off grows for ten steps
 
 
