@@ -37,10 +37,10 @@ EnergyBalance::EnergyBalance(LAMMPS_NS::LAMMPS* lammps, int count, char** words)
   nevery = 1;
 }
 
-void EnergyBalance::open(LAMMPS_NS::LAMMPS* lammps) {
+void EnergyBalance::create(LAMMPS_NS::LAMMPS* lammps) {
   LAMMPS_NS::Modify* const modify = lammps->modify;
   if (of(lammps)) return;
-  ParticleValues::open(lammps, particle_work, " ghost yes");
+  ParticleValues::create(lammps, particle_work, " ghost yes");
   modify->add_fix(std::string(fix_id) + " all plastigran/energy");
 }
 
@@ -123,15 +123,15 @@ EnergyBalance::Power EnergyBalance::power() const {
   return power;
 }
 
-EnergyBalance::Live EnergyBalance::live() const {
-  Live live;
+EnergyBalance::ContactEnergies EnergyBalance::contact_energies() const {
+  ContactEnergies sums;
   for (const ContactTally* const tally : tallies()) {
-    live.elastic += tally->elastic_energy;
-    live.surface += tally->surface_energy;
-    live.springs += tally->spring_energy;
-    live.contacts += tally->contacts;
+    sums.elastic += tally->elastic_energy;
+    sums.surface += tally->surface_energy;
+    sums.springs += tally->spring_energy;
+    sums.contacts += tally->contacts;
   }
-  return live;
+  return sums;
 }
 
 double EnergyBalance::kinetic_energy() const {
@@ -161,7 +161,7 @@ double EnergyBalance::gravitational_energy() const {
 }
 
 double EnergyBalance::state_energy() const {
-  const Live now = live();
+  const ContactEnergies now = contact_energies();
   return mechanical_energy() + now.elastic + now.surface;
 }
 
@@ -177,7 +177,7 @@ void EnergyBalance::setup(int) {
 void EnergyBalance::end_setup() {
   if (!in_setup_) return;
   in_setup_ = false;
-  const Live now = live();
+  const ContactEnergies now = contact_energies();
   const double state = mechanical_ + now.elastic + now.surface;
   if (!started_) sums_.initial = state;
   if (has_run_) sums_.inserted += state - last_state_;
@@ -210,7 +210,7 @@ void EnergyBalance::post_run() {
 
 EnergyBalance::Terms EnergyBalance::terms() {
   end_setup();
-  const Live now = live();
+  const ContactEnergies now = contact_energies();
   Terms local{}, all;
   local[KINETIC] = kinetic_energy();
   local[GRAVITATIONAL] = gravitational_energy();
@@ -224,10 +224,10 @@ EnergyBalance::Terms EnergyBalance::terms() {
   local[SURFACE] = now.surface;
   local[ADHESION] = sums_.adhesion_loss;
   local[CONTACTS] = now.contacts;
-  local[DRIFT] = -sums_.initial - sums_.wall_work - sums_.inserted;
+  local[BALANCE_ERROR] = -sums_.initial - sums_.wall_work - sums_.inserted;
   for (const Term term :
        {KINETIC, GRAVITATIONAL, ELASTIC, PLASTIC, FRICTION, VISCOUS, SURFACE, ADHESION})
-    local[DRIFT] += local[term];
+    local[BALANCE_ERROR] += local[term];
   MPI_Allreduce(local.data(), all.data(), TERMS, MPI_DOUBLE, MPI_SUM, world);
   return all;
 }

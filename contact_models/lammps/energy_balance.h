@@ -38,7 +38,7 @@ class EnergyBalance : public LAMMPS_NS::Fix {
     VISCOUS,
     WALL_WORK,
     INSERTED,
-    DRIFT,
+    BALANCE_ERROR,
     TANGENTIAL_SPRINGS,
     SURFACE,
     ADHESION,
@@ -53,7 +53,7 @@ class EnergyBalance : public LAMMPS_NS::Fix {
   EnergyBalance(LAMMPS_NS::LAMMPS* lammps, int count, char** words);
 
   // Creates the fix if the simulation has none.
-  static void open(LAMMPS_NS::LAMMPS* lammps);
+  static void create(LAMMPS_NS::LAMMPS* lammps);
   // Returns the fix of a simulation; null if there is none.
   static EnergyBalance* of(LAMMPS_NS::LAMMPS* lammps);
 
@@ -100,7 +100,7 @@ class EnergyBalance : public LAMMPS_NS::Fix {
   struct Power {
     double friction = 0, viscous = 0, wall = 0;  // [W]
   };
-  struct Live {
+  struct ContactEnergies {
     double elastic = 0, surface = 0, springs = 0, contacts = 0;
   };
 
@@ -108,7 +108,7 @@ class EnergyBalance : public LAMMPS_NS::Fix {
   void begin_pass();
   void end_setup();
   Power power() const;
-  Live live() const;
+  ContactEnergies contact_energies() const;
   double kinetic_energy() const;
   double gravitational_energy() const;
   double mechanical_energy() const { return kinetic_energy() + gravitational_energy(); }

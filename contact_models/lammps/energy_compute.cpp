@@ -18,7 +18,7 @@ EnergyCompute::EnergyCompute(LAMMPS_NS::LAMMPS* lammps, int count, char** words)
   size_vector = EnergyBalance::TERMS;
   extvector = 1;
   vector = new double[EnergyBalance::TERMS];
-  EnergyBalance::open(lammps);
+  EnergyBalance::create(lammps);
 }
 
 EnergyCompute::~EnergyCompute() { delete[] vector; }

@@ -143,7 +143,7 @@ void PairStyle::init_style() {
     for (int j = i + 1; j <= atom->ntypes; ++j)
       if (!setflag[i][j] && setflag[i][i] && setflag[j][j]) mix(i, j);
   PairGranular::init_style();
-  ParticleValues::open(lmp, ids);
+  ParticleValues::create(lmp, ids);
   warned_range_ = warned_step_ = false;
   furthest = 1;
 }

@@ -12,8 +12,8 @@ ParticleValues::ParticleValues(LAMMPS_NS::LAMMPS* lammps, int count, char** word
   create_attribute = 1;
 }
 
-void ParticleValues::open(LAMMPS_NS::LAMMPS* lammps, const std::string& name,
-                          const std::string& words) {
+void ParticleValues::create(LAMMPS_NS::LAMMPS* lammps, const std::string& name,
+                            const std::string& words) {
   if (lammps->modify->get_fix_by_id(name)) return;
   lammps->modify->add_fix(name + " all property/atom d_" + name + words);
   lammps->modify->add_fix(name + "_new all plastigran/values " + name);

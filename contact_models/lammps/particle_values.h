@@ -17,8 +17,8 @@ class ParticleValues : public LAMMPS_NS::Fix {
 
   // Makes the values `name` if there are none, which a deck reads as `d_name`. `words` are further
   // words of fix property/atom.
-  static void open(LAMMPS_NS::LAMMPS* lammps, const std::string& name,
-                   const std::string& words = "");
+  static void create(LAMMPS_NS::LAMMPS* lammps, const std::string& name,
+                     const std::string& words = "");
   // The values of the particles of this rank and its ghosts.
   static double* of(LAMMPS_NS::LAMMPS* lammps, const char* name);
 

@@ -27,7 +27,7 @@ SPHERES = sorted(
     for name, law in laws.LAWS.items()
     if law.shape == "sphere" and law.yields and not law.adhesive and law.elastic_first
 )
-DECK = """
+START = """
 atom_style granular
 atom_modify map array
 boundary f f f
@@ -35,7 +35,10 @@ newton off
 communicate single vel yes
 units si
 hard_particles yes
-region box block -0.02 0.05 -0.02 0.02 -0.01 0.02 units box
+"""
+DECK = (
+    START
+    + """region box block -0.02 0.05 -0.02 0.02 -0.01 0.02 units box
 create_box 2 box
 neighbor 0.001 bin
 fix E all property/global youngsModulus peratomtype 70e9 70e15
@@ -49,6 +52,7 @@ fix motion all nve/sphere
 {report}
 run {steps}
 """
+)
 #: Velocities [m/s] of the sphere, for 300 steps each: it loads the contact, slides, changes
 #: direction, unloads, and slides back.
 PATH = [(0, 0, -1), (0.3, 0, 0), (0.05, 0.2, -0.2), (-0.1, 0, 0.5), (-0.4, -0.1, 0.05)]
@@ -195,15 +199,9 @@ def test_friction_adds_no_error_to_the_energy_balance(law, strength, tmp_path):
 
 #: Two spheres move on given paths. They load their contact, slide until it slips, and rotate like a
 #: rigid body about an axis between the normal and the direction of sliding.
-PAIR = """
-atom_style granular
-atom_modify map array
-boundary f f f
-newton off
-communicate single vel yes
-units si
-hard_particles yes
-region box block -0.02 0.02 -0.02 0.02 -0.02 0.02 units box
+PAIR = (
+    START
+    + """region box block -0.02 0.02 -0.02 0.02 -0.02 0.02 units box
 create_box 1 box
 neighbor 0.001 bin
 fix E all property/global youngsModulus peratomtype 70e9
@@ -225,6 +223,7 @@ unfix second
 fix motion all move rotate 0 0 0.0025 {axis} $({steps}*dt)
 run {steps}
 """
+)
 AXIS = (0.5, 0.3, 0.8)
 
 

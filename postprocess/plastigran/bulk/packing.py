@@ -9,60 +9,57 @@ from pathlib import Path
 import numpy as np
 from scipy.spatial import cKDTree
 
-#: Distance between surfaces below which two grains are moved apart, in mean diameters.
+#: Distance between surfaces below which two grains are moved apart, in diameters.
 GAP = 5e-4
-#: Largest overlap, at the end, of spheres with a shell of GAP/2, in mean diameters. Surfaces
+#: Largest overlap, at the end, of spheres with a shell of GAP/2, in diameters. Surfaces
 #: are therefore at least GAP - TOLERANCE apart.
 TOLERANCE = 4e-4
-#: Standard deviation of the random displacement in each round, in mean diameters.
+#: Standard deviation of the random displacement in each round, in diameters.
 JITTER = 1e-6
 #: Largest number of rounds. Packings below random close packing, 0.64, need some hundred rounds.
 ROUNDS = 5000
 
 
 def random_packing(
-    radii: np.ndarray,
+    radius: float,
     start: Callable[[np.random.Generator], np.ndarray],
-    confine: Callable[[np.ndarray, np.ndarray], np.ndarray],
+    confine: Callable[[np.ndarray], np.ndarray],
     seed: int,
 ) -> np.ndarray:
-    """Return random positions of spheres without overlap (n, 3) [m].
+    """Return random positions of equal spheres without overlap (n, 3) [m].
 
     Spheres start at random positions. Then each overlapping pair moves apart by its overlap, and
     spheres outside the container move back, until no pair overlaps.
 
     Args:
-        radii: Radii (n,) [m].
+        radius: Radius [m].
         start: Function that draws random initial positions (n, 3) [m] with a generator.
-        confine: Function that moves positions (n, 3) of spheres with radii (n,) into the container.
+        confine: Function that moves positions (n, 3) of spheres into the container.
         seed: Seed of the generator.
 
     Raises:
         ValueError: Pairs still overlap after `ROUNDS` rounds, because the packing is too dense.
     """
     random = np.random.default_rng(seed)
-    diameter, largest = 2 * radii.mean(), 2 * radii.max()
-    positions = start(random)
+    diameter, positions = 2 * radius, start(random)
     for _ in range(ROUNDS):
-        positions = confine(positions, radii)
+        positions = confine(positions)
         # Displace all spheres slightly. Otherwise, two spheres that were moved to the same corner
         # would have no direction in which to move apart.
         positions += random.normal(0, JITTER * diameter, positions.shape)
         tree = cKDTree(positions)
-        first, second = tree.query_pairs(largest + GAP * diameter, output_type="ndarray").T
+        first, second = tree.query_pairs((1 + GAP) * diameter, output_type="ndarray").T
         apart = positions[first] - positions[second]
         distance = np.linalg.norm(apart, axis=1)
-        overlap = radii[first] + radii[second] + GAP * diameter - distance
-        touching = overlap > 0
+        overlap = (1 + GAP) * diameter - distance
         if overlap.max(initial=0) < TOLERANCE * diameter:
             return positions
-        first, second = first[touching], second[touching]
-        move = (overlap / (2 * distance))[touching, None] * apart[touching]
+        move = (overlap / (2 * distance))[:, None] * apart
         for axis in range(3):
-            positions[:, axis] += np.bincount(first, move[:, axis], len(radii))
-            positions[:, axis] -= np.bincount(second, move[:, axis], len(radii))
+            positions[:, axis] += np.bincount(first, move[:, axis], len(positions))
+            positions[:, axis] -= np.bincount(second, move[:, axis], len(positions))
     raise ValueError(
-        f"{len(radii)} grains still overlap by {overlap.max() / diameter:.2g} diameters after "
+        f"{len(positions)} grains still overlap by {overlap.max() / diameter:.2g} diameters after "
         f"{ROUNDS} rounds. Lower volume_fraction"
     )
 

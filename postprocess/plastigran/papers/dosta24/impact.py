@@ -6,7 +6,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-import attrs
 import numpy as np
 import pandas as pd
 from matplotlib.axes import Axes
@@ -36,17 +35,8 @@ COARSE = {"length": 0.02, "width": 0.015, "ball_radius": 0.003, "ball_height": 0
 COARSE |= {"timestep": 1e-6, "duration": 0.012, "rows": 60, "checkpoints": 2}
 
 
-@attrs.frozen
-class Impact:
-    """Runs of the case.
-
-    Attributes:
-        runs: For each number of grains and label of `CONTACTS`, runs of several beds.
-        coarse: Whether these are runs of a small bed.
-    """
-
-    runs: dict[tuple[int, str], list[BulkRun]]
-    coarse: bool
+#: Runs of several beds, by number of grains and label of `CONTACTS`.
+Runs = dict[tuple[int, str], list[BulkRun]]
 
 
 def compute(
@@ -57,7 +47,7 @@ def compute(
     law: Sequence[str] | None = None,
     beds: int | None = None,
     ranks: int = 1,
-) -> Impact:
+) -> Runs:
     """Run the beds, or continue their runs in `folder`.
 
     Args:
@@ -84,7 +74,7 @@ def compute(
                 ).raise_if_failed()
                 for seed in range(1, number + 1)
             ]
-    return Impact(runs, coarse)
+    return runs
 
 
 def displacement_at(time: float, run: BulkRun) -> float:
@@ -109,7 +99,7 @@ def displacement_at(time: float, run: BulkRun) -> float:
     return last["displacement"] + last["velocity"] * later - gravity * later**2 / 2
 
 
-def impact(data: Impact) -> pd.DataFrame:
+def impact(data: Runs) -> pd.DataFrame:
     """Return the displacement of the ball in mm at `TIMES`, and its largest depth.
 
     A column of a law is the mean over our beds; "deviation" is the standard deviation of the mean.
@@ -117,11 +107,11 @@ def impact(data: Impact) -> pd.DataFrame:
     runs from the published bed.
     """
     rows = []
-    for count in dict.fromkeys(count for count, _ in data.runs):
+    for count in dict.fromkeys(count for count, _ in data):
         for time in (*TIMES, None):
             quantity = f"displacement at {1e3 * time:g} ms" if time else "largest depth"
             row = {"grains": count, "quantity": quantity}
-            for (number, label), runs in data.runs.items():
+            for (number, label), runs in data.items():
                 if number == count:
                     ours = np.array([_measured(run, time) for run in runs])
                     row[label] = 1e3 * ours.mean()
@@ -150,10 +140,10 @@ def _published(table: pd.DataFrame, time: float | None) -> float:
     return float(np.interp(time, table["time"], table["displacement"]))
 
 
-def energies(data: Impact) -> pd.DataFrame:
+def energies(data: Runs) -> pd.DataFrame:
     """Return the energy of ball and bed at the end [J], and its terms in per cent of it."""
     rows = []
-    for (count, label), runs in data.runs.items():
+    for (count, label), runs in data.items():
         if runs[0].deck.ledger == "on":
             last = pd.DataFrame([run.series.iloc[-1] for run in runs])[ENERGIES].mean()
             shares = {f"{term}, %": 100 * last[term] / last.sum() for term in ENERGIES}
@@ -161,22 +151,22 @@ def energies(data: Impact) -> pd.DataFrame:
     return pd.DataFrame(rows)
 
 
-def impact_figure(data: Impact) -> Figure:
+def impact_figure(data: Runs) -> Figure:
     """Draw the displacement of the ball over time among the eight codes."""
-    counts = list(dict.fromkeys(count for count, _ in data.runs))
+    counts, labels = (list(dict.fromkeys(names)) for names in zip(*data, strict=True))
     with styled():
         figure, axes = subplots(1, len(counts), figsize=(4.6 * len(counts), 3.8), squeeze=False)
         for axis, count in zip(axes[0], counts, strict=True):
             _draw_published(axis, count)
-            for (number, label), runs in data.runs.items():
+            for (number, label), runs in data.items():
                 if number != count:
                     continue
-                colour = COLOURS[list(dict.fromkeys(label for _, label in data.runs)).index(label)]
+                colour = COLOURS[labels.index(label)]
                 for run in runs:
                     name = label if run is runs[0] else None
                     series = run.series
-                    axis.plot(1e3 * series["time"], 1e3 * series["displacement"], color=colour,
-                              lw=1, label=name)  # fmt: skip
+                    displacement = 1e3 * series["displacement"]
+                    axis.plot(1e3 * series["time"], displacement, color=colour, lw=1, label=name)
             axis.set(title=f"{count} grains", xlabel="time (ms)")
             axis.set_ylabel("displacement of the ball (mm)")
             axis.legend(loc="best")

@@ -7,9 +7,7 @@ from importlib.resources import files
 
 import pandas as pd
 
-#: Heights in the published data are counted from this height above the floor of the box [m].
-FLOOR = 0.0902431
-#: Height of the ball's center at the start, in the published coordinates [m].
+#: Height of the ball's center at the start, in the coordinates of the published data [m].
 START = 0.06
 
 

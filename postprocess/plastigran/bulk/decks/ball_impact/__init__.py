@@ -66,11 +66,10 @@ class BallImpact(GranularDeck):
         """Write the bed and the ball to `grains.data`."""
         corner = np.array([self.length / 2, self.width / 2, self.bed_height])
         lowest = np.array([-self.length / 2, -self.width / 2, 0.0])
-        radii = np.full(self.grain_count, self.radius)
         positions = random_packing(
-            radii,
+            self.radius,
             lambda random: random.uniform(lowest, corner, (self.grain_count, 3)),
-            lambda places, _: np.clip(places, lowest + self.radius, corner - self.radius),
+            lambda places: np.clip(places, lowest + self.radius, corner - self.radius),
             self.seed,
         )
         margin = 4 * self.radius
@@ -80,7 +79,7 @@ class BallImpact(GranularDeck):
             (*(lowest[:2] - margin), -margin),
             (*(corner[:2] + margin), top),
             np.append(np.ones(self.grain_count, int), 2),
-            np.append(radii, self.ball_radius),
+            np.append(np.full(self.grain_count, self.radius), self.ball_radius),
             np.append(np.full(self.grain_count, self.density), STEEL),
             np.vstack([positions, [0, 0, self.ball_height]]),
             2,

@@ -111,7 +111,7 @@ class MixingDrum(GranularDeck):
         reach, side = self._reach(radius), self.length / 2 - radius
         bottom, top = max(lower + radius, -reach), min(upper - radius, reach)
 
-        def confine(places: np.ndarray, _: np.ndarray) -> np.ndarray:
+        def confine(places: np.ndarray) -> np.ndarray:
             x, y, z = places.T
             # Move outer grains toward the axis, so that they slide along the shell. Then move those
             # that this has moved out of the layer.
@@ -128,7 +128,7 @@ class MixingDrum(GranularDeck):
                 places = np.vstack([places, drawn[inside]])
             return places[:count]
 
-        return random_packing(np.full(count, radius), start, confine, seed)
+        return random_packing(radius, start, confine, seed)
 
     def analyse(self, series: pd.DataFrame) -> Analysis:
         """Analyse the mixing; arguments as for `BulkDeck.analyse`."""

@@ -76,12 +76,12 @@ class Silo(GranularDeck):
     def write_inputs(self, folder: Path) -> None:
         """Write the filling to `grains.data`."""
         opening, height, count = ORIFICES[self.orifice], self.filling_height, self.grain_count
-        radii = np.full(count, self.radius)
+        radius = self.radius
 
-        def confine(places: np.ndarray, radii: np.ndarray) -> np.ndarray:
-            z = np.clip(places[:, 2], radii, height - radii)
+        def confine(places: np.ndarray) -> np.ndarray:
+            z = np.clip(places[:, 2], radius, height - radius)
             across = np.hypot(places[:, 0], places[:, 1])
-            reach = np.minimum(BARREL - radii, opening + z - sqrt(2) * radii)
+            reach = np.minimum(BARREL - radius, opening + z - sqrt(2) * radius)
             inward = np.minimum(1, reach / np.maximum(across, 1e-300))
             return np.column_stack([places[:, :2] * inward[:, None], z])
 
@@ -97,15 +97,15 @@ class Silo(GranularDeck):
             angle = random.uniform(0, 2 * pi, count)
             return np.column_stack([distance * np.cos(angle), distance * np.sin(angle), z])
 
-        side = BARREL + 4 * self.radius
+        side = BARREL + 4 * radius
         write_data(
             folder / "grains.data",
             (-side, -side, -FALL),
-            (side, side, TOP + 4 * self.radius),
+            (side, side, TOP + 4 * radius),
             np.ones(count, int),
-            radii,
+            np.full(count, radius),
             np.full(count, self.density),
-            random_packing(radii, start, confine, self.seed),
+            random_packing(radius, start, confine, self.seed),
             2,
         )
 
