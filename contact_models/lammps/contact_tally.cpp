@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "lammps/contact_tally.h"
 
+#include <algorithm>
+
 #include "atom.h"
 #include "force.h"
 #include "lammps.h"
+#include "update.h"
 
 namespace plastigran {
 
@@ -16,6 +19,7 @@ void ContactTally::begin(LAMMPS_NS::LAMMPS* lammps) {
   nlocal_ = atom->nlocal;
   velocities_ = atom->nmax > 0 ? atom->v[0] : nullptr;
   balance_ = EnergyBalance::of(lammps);
+  run_begins_ = lammps->update->ntimestep <= lammps->update->firststep + 1;
   contacts = elastic_energy = surface_energy = spring_energy = 0;
   wall_load_ = WallLoad();
 }
@@ -29,6 +33,18 @@ void ContactTally::add_dissipated(const GranularModel& contact, double plastic_w
   balance_->add_dissipated((shared ? 0.5 : 1) * plastic_work, (shared ? 0.5 : 1) * adhesion_loss);
   balance_->add_to_particle(index(contact.vi), (is_pair ? 0.5 : 1) * plastic_work);
   if (is_pair && !shared) balance_->add_to_particle(index(contact.vj), 0.5 * plastic_work);
+}
+
+// In the first step of a run, a contact may not have moved to its overlap by itself, because decks
+// move particles between runs.
+void ContactTally::add_deep(const GranularModel& contact, const RuntimeLaw& law,
+                            RangeAccount& account, double factor, const double* before,
+                            const double* now) {
+  if (!active_) return;
+  const double closing = std::max(0.0, -contact.vnnr) * contact.dt;
+  law.count(account, factor,
+            {contact.Reff, contact.delta, closing, before, now, run_begins_,
+             is_shared(contact) ? 0.5 : 1});
 }
 
 void ContactTally::add_loads(const GranularModel& contact, double viscous) {

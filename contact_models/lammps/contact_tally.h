@@ -6,6 +6,8 @@
 
 #include "lammps/energy_balance.h"
 #include "lammps/granular_interface.h"
+#include "lammps/runtime_law.h"
+#include "plastigran/pairs/range_account.h"
 #include "plastigran/shared/contact.h"
 
 namespace plastigran {
@@ -20,16 +22,20 @@ class ContactTally {
 
   // Adds the energies of a contact. `plastic_work` and `adhesion_loss` are those of this step [J].
   void add(const LAMMPS_NS::Granular_NS::GranularModel& contact, const Response& response,
-           double overlap_limit, double plastic_work, double adhesion_loss) {
+           double plastic_work, double adhesion_loss) {
     if (!active_) return;
     const double share = is_shared(contact) ? 0.5 : 1;
     if (contact.delta > 0 || response.contact_radius > 0) contacts += share;
     elastic_energy += share * response.elastic_energy;
     surface_energy += share * response.surface_energy;
-    if (contact.delta > furthest * overlap_limit) furthest = contact.delta / overlap_limit;
     if (balance_ && (plastic_work != 0 || adhesion_loss != 0))
       add_dissipated(contact, plastic_work, adhesion_loss);
   }
+
+  // Counts a contact beyond the validity range of its law, whose state changes from `before` to
+  // `now`.
+  void add_deep(const LAMMPS_NS::Granular_NS::GranularModel& contact, const RuntimeLaw& law,
+                RangeAccount& account, double factor, const double* before, const double* now);
 
   // Adds the forces and torques of a contact. `viscous` is the rate-dependent part of the normal
   // force on the first particle [N].
@@ -42,7 +48,6 @@ class ContactTally {
 
   // Sums over the contacts of this rank: number, and energies [J].
   double contacts = 0, elastic_energy = 0, surface_energy = 0, spring_energy = 0;
-  double furthest = 1;       // largest overlap divided by the limit of the law, if above 1
   bool lacks_loads = false;  // whether a heat model of the deck excludes LoadModel
 
  protected:
@@ -64,7 +69,7 @@ class ContactTally {
   void add_dissipated(const LAMMPS_NS::Granular_NS::GranularModel& contact, double plastic_work,
                       double adhesion_loss);
 
-  bool active_ = false, newton_ = true;
+  bool active_ = false, newton_ = true, run_begins_ = false;
   int nlocal_ = 0;
   const double* velocities_ = nullptr;
 };

@@ -88,7 +88,6 @@ double NormalModel::calculate_contact_radius() {
   double* const values = gm->history + history_index;
   double* state = values + state_at_;
   double before[RuntimeLaw::capacity], copy[RuntimeLaw::capacity];
-  if (contact_law.stretches) std::copy_n(state, contact_law.state_size, before);
   if (!gm->history_update) {
     std::copy_n(state, contact_law.state_size, copy);
     state = copy;
@@ -98,6 +97,9 @@ double NormalModel::calculate_contact_radius() {
     factor = values[factor_at_];
     if (factor == 0) factor = contact_law.rate_factor(gm->Reff, -gm->vnnr);
   }
+  const double range = factor == 1 ? contact_law.range : contact_law.range_at(factor);
+  const bool is_deep = gm->history_update && account_ && gm->delta > range * gm->Reff;
+  if (contact_law.stretches || is_deep) std::copy_n(state, contact_law.state_size, before);
   const Response response = contact_law.respond(gm->Reff, gm->delta, -gm->vnnr, factor, state);
   double plastic_work = 0, adhesion_loss = 0;
   if (gm->history_update) {
@@ -106,7 +108,8 @@ double NormalModel::calculate_contact_radius() {
     values[work_at_] = response.plastic_work;
     if (has_rate_) values[factor_at_] = factor;
   }
-  tally_.add(*gm, response, contact_law.range * gm->Reff, plastic_work, adhesion_loss);
+  tally_.add(*gm, response, plastic_work, adhesion_loss);
+  if (is_deep) tally_.add_deep(*gm, contact_law, *account_, factor, before, state);
   force_ = response.force;
   viscous_force_ = response.viscous_force;
   pull_off_force_ = contact_law.attracts && response.contact_radius > 0

@@ -33,6 +33,10 @@ class NormalModel : public LAMMPS_NS::Granular_NS::GranSubModNormal {
   static void replace(LAMMPS_NS::Granular_NS::GranularModel* model, LAMMPS_NS::LAMMPS* lammps,
                       Laws laws, const TangentialLine& tangential, ContactTally& tally);
 
+  // Counts contacts beyond the validity range in an account.
+  void count_in(RangeAccount* account) { account_ = account; }
+  const Laws& laws() const { return laws_; }
+
   void coeffs_to_local() override {}
   bool touch() override;
   double pulloff_distance(double radius, double other_radius) override;
@@ -55,6 +59,7 @@ class NormalModel : public LAMMPS_NS::Granular_NS::GranSubModNormal {
 
   Laws laws_;
   ContactTally& tally_;
+  RangeAccount* account_ = nullptr;
   std::size_t state_at_, work_at_, factor_at_;  // offsets in the history values of this model
   bool has_rate_;
   double force_ = 0, viscous_force_ = 0, pull_off_force_ = 0;

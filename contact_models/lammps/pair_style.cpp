@@ -14,6 +14,7 @@
 #include "lammps/load_model.h"
 #include "lammps/normal_model.h"
 #include "lammps/particle_values.h"
+#include "lammps/run_time_checks.h"
 #include "update.h"
 #include "utils.h"
 
@@ -144,8 +145,10 @@ void PairStyle::init_style() {
       if (!setflag[i][j] && setflag[i][i] && setflag[j][j]) mix(i, j);
   PairGranular::init_style();
   ParticleValues::create(lmp, ids);
-  warned_range_ = warned_step_ = false;
-  furthest = 1;
+  for (int k = 0; k < nmodels; ++k) {
+    auto* const normal = static_cast<NormalModel*>(models_list[k]->normal_model);
+    normal->count_in(RunTimeChecks::of(lmp).account(*normal->laws().front()));
+  }
 }
 
 // Stops if particles were renumbered, because contact histories refer to particles by their IDs.
@@ -167,27 +170,15 @@ void PairStyle::check_particle_ids() {
 
 void PairStyle::setup() {
   check_particle_ids();
-  recommend_time_step();
+  expect_impacts();
 }
 
-void PairStyle::recommend_time_step() {
+void PairStyle::expect_impacts() {
+  std::vector<ExpectedImpact> impacts;
   const ImpactForecast forecast(type_extremes(lmp), all_types(atom->ntypes), false, {});
-  double step = 0, speed = 0;
-  for (const Meeting& meeting : forecast.meetings()) {
-    if (!(meeting.speed > 0)) continue;
-    const double its_step =
-        model_of(meeting.type, meeting.partner_type)
-            .law->recommended_timestep(meeting.radius_eff, meeting.mass_eff, meeting.speed);
-    if (step == 0 || its_step < step) step = its_step, speed = meeting.speed;
-  }
-  if (step > 0 && update->dt > step && !warned_step_) {
-    warned_step_ = true;
-    if (comm->me == 0)
-      error->warning(FLERR,
-                     "granular/plastigran: the time step is {:.3g} s; at most {:.3g} s is "
-                     "recommended for impacts at {:.3g} m/s",
-                     update->dt, step, speed);
-  }
+  for (const Meeting& meeting : forecast.meetings())
+    impacts.push_back({meeting, model_of(meeting.type, meeting.partner_type).law});
+  RunTimeChecks::of(lmp).expect(impacts);
 }
 
 void PairStyle::compute(int eflag, int vflag) {
@@ -196,13 +187,6 @@ void PairStyle::compute(int eflag, int vflag) {
   PairGranular::compute(eflag, vflag);
   end();
   if (EnergyBalance::of(lmp) && force->newton_pair) comm->reverse_comm(this);
-  if (furthest > 1 && !warned_range_) {
-    warned_range_ = true;
-    error->warning(FLERR,
-                   "granular/plastigran: a contact is {:.3g} times as deep as the largest "
-                   "overlap for which its law is valid",
-                   furthest);
-  }
 }
 
 // Copies the history of a pair for the other particle. In LAMMPS, the offset of each part of the

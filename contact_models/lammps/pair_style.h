@@ -60,11 +60,10 @@ class PairStyle : public LAMMPS_NS::PairGranular, public ContactTally {
   const Model& model_of(int type, int other_type);
   void mix(int type, int other_type);
   void check_particle_ids();
-  void recommend_time_step();
+  void expect_impacts();
 
   std::map<LAMMPS_NS::Granular_NS::GranularModel*, Model> models_;
   std::vector<std::pair<int, int>> mixed_;  // pairs of atom types that no line names together
-  bool warned_range_ = false, warned_step_ = false;
 };
 
 }  // namespace plastigran

@@ -10,6 +10,7 @@
 #include "lammps/energy_compute.h"
 #include "lammps/pair_style.h"
 #include "lammps/particle_values.h"
+#include "lammps/run_time_checks.h"
 #include "lammps/wall_style.h"
 
 namespace plastigran {
@@ -77,6 +78,8 @@ extern "C" __attribute__((visibility("default"))) void lammpsplugin_init(void* h
   add("fix", "wall/gran/region/plastigran");
   plugin.creator.v2 = &make<EnergyBalance, LAMMPS_NS::Fix>;
   add("fix", "plastigran/energy");
+  plugin.creator.v2 = &make<RunTimeChecks, LAMMPS_NS::Fix>;
+  add("fix", "plastigran/checks");
   plugin.creator.v2 = &make<ParticleValues, LAMMPS_NS::Fix>;
   add("fix", "plastigran/values");
   plugin.creator.v2 = &make<EnergyCompute, LAMMPS_NS::Compute>;

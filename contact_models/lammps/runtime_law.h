@@ -13,6 +13,7 @@
 #include "lammps/contact_line.h"
 #include "plastigran/impact/central_impact.h"
 #include "plastigran/impact/validate.h"
+#include "plastigran/pairs/range_account.h"
 #include "plastigran/pairs/type_pair.h"
 #include "plastigran/pairs/type_pairs.h"
 #include "plastigran/shared/adhesion.h"
@@ -36,6 +37,12 @@ class RuntimeLaw {
   virtual double lost_at_ends(double radius_eff, const double* before, const double* now) const = 0;
   virtual bool in_contact(const double* state) const = 0;  // true for contacts that cannot stretch
   virtual double recommended_timestep(double radius_eff, double mass_eff, double speed) const = 0;
+  // Returns whether an impact exceeds the validity range of the law.
+  virtual bool will_exceed_range(double radius_eff, double mass_eff, double speed) const = 0;
+  virtual double range_at(double factor) const = 0;  // largest valid overlap/R* at a rate factor
+  // Counts a contact beyond the validity range.
+  virtual void count(RangeAccount& account, double factor,
+                     const DeepContact<const double*>& contact) const = 0;
   // Returns the constants of the pair, and the constants and options of the law, as text.
   virtual std::string description() const = 0;
 
@@ -48,7 +55,8 @@ class RuntimeLaw {
   std::size_t state_size = 0;  // number of values of a state
   bool attracts = false;       // whether the force may be attractive
   bool stretches = false;      // whether contacts can last without overlap
-  double range = 0;            // largest overlap/R* for which the law is valid
+  double range = 0;            // largest overlap/R* for which the law is valid, at rate factor 1
+  const char *name = "", *range_words = "";  // name of the law, and its validity range in words
   MaterialPair bodies;
 };
 
@@ -65,6 +73,8 @@ class RuntimeLawOf : public RuntimeLaw {
     attracts = adhesive<Law>;
     stretches = can_stretch<Law>;
     range = pair_.range;
+    name = Law::name;
+    range_words = Law::range;
     bodies = pair;
     if (!yields<Law>) bodies.rate_coefficient = 0;
   }
@@ -99,6 +109,23 @@ class RuntimeLawOf : public RuntimeLaw {
   double recommended_timestep(double radius_eff, double mass_eff, double speed) const override {
     return pair_.at_factor(rate_factor(radius_eff, speed), [&](const auto& law, double) {
       return plastigran::recommended_timestep(law, radius_eff, mass_eff, speed);
+    });
+  }
+  bool will_exceed_range(double radius_eff, double mass_eff, double speed) const override {
+    return pair_.at_factor(rate_factor(radius_eff, speed), [&](const auto& law, double) {
+      return !plastigran::central_impact(law, radius_eff, mass_eff, speed).in_range;
+    });
+  }
+  double range_at(double factor) const override {
+    return pair_.at_factor(factor, [](const auto&, double range_) { return range_; });
+  }
+  void count(RangeAccount& account, double factor,
+             const DeepContact<const double*>& contact) const override {
+    const LawState before = read(contact.before), now = read(contact.now);
+    pair_.at_factor(factor, [&](const auto& law, double range_) {
+      account.add(law, range_,
+                  {contact.radius_eff, contact.overlap, contact.closing, before, now,
+                   contact.has_moved_freely, contact.share});
     });
   }
   std::string description() const override {

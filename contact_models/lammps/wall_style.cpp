@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "error.h"
+
 namespace plastigran {
 
 WallLine::WallLine(LAMMPS_NS::LAMMPS* lammps, int count, char** words)

@@ -17,12 +17,13 @@
 
 #include "atom.h"
 #include "domain.h"
-#include "error.h"
 #include "lammps.h"
 #include "lammps/granular_interface.h"
+#include "lammps/impact_extremes.h"
 #include "lammps/load_model.h"
 #include "lammps/normal_model.h"
 #include "lammps/pair_style.h"
+#include "lammps/run_time_checks.h"
 #include "memory.h"
 #include "region.h"
 #include "update.h"
@@ -74,8 +75,18 @@ class WallStyle : private WallLine, public LammpsWall, public ContactTally {
   void init() override {
     NormalModel::replace(this->model, this->lmp, laws(), tangential(), *this);
     LammpsWall::init();
-    warned_range_ = false;
-    furthest = 1;
+    auto* const normal = static_cast<NormalModel*>(this->model->normal_model);
+    normal->count_in(RunTimeChecks::of(this->lmp).account(*normal->laws().front()));
+  }
+
+  void setup(int vflag) override {
+    LammpsWall::setup(vflag);
+    const auto* const normal = static_cast<NormalModel*>(this->model->normal_model);
+    std::vector<ExpectedImpact> impacts;
+    const ImpactForecast forecast(type_extremes(this->lmp), {1}, true, {});
+    for (const Meeting& meeting : forecast.meetings())
+      impacts.push_back({meeting, normal->laws()[static_cast<std::size_t>(meeting.type) - 1]});
+    RunTimeChecks::of(this->lmp).expect(impacts);
   }
 
   void post_force(int vflag) override {
@@ -90,13 +101,6 @@ class WallStyle : private WallLine, public LammpsWall, public ContactTally {
       for (std::size_t k = 0; k < 3; ++k) change[k] -= before[k];
       balance_->add_wall_change(last.force, last.lossy, change.data());
     }
-    if (furthest > 1 && !warned_range_) {
-      warned_range_ = true;
-      this->error->warning(FLERR,
-                           "{}: a contact is {:.3g} times as deep as the largest overlap for "
-                           "which its law is valid",
-                           this->style, furthest);
-    }
   }
 
  private:
@@ -108,8 +112,6 @@ class WallStyle : private WallLine, public LammpsWall, public ContactTally {
     if (!region || !region->moveflag) return {};
     return {region->v[0], region->v[1], region->v[2]};
   }
-
-  bool warned_range_ = false;
 };
 
 }  // namespace plastigran

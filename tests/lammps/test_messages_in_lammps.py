@@ -101,4 +101,4 @@ def test_warnings(tmp_path):
         script(line("vu_quoc_zhang 7e10 0.3 yield_strength 1e8") + "\ntimestep 1e-5\nrun 115"),
     )
     assert "the time step is 1e-05 s; at most" in log
-    assert "times as deep as the largest overlap for which its law is valid" in log
+    assert "have exceeded the validity range of the law" in log

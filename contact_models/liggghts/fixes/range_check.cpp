@@ -3,9 +3,8 @@
 
 #include <mpi.h>
 
-#include <sstream>
-
 #include "comm.h"
+#include "plastigran/pairs/range_report.h"
 
 namespace plastigran {
 
@@ -31,17 +30,7 @@ void RangeCheck::post_run() {
     if (excess.warned && excess.all_contacts == excess.warned_contacts) continue;
     excess.warned = true;
     excess.warned_contacts = excess.all_contacts;
-    std::ostringstream text;
-    text << model << ": ";
-    // Elastic contacts are reported without a count: their state does not record whether they were
-    // counted before.
-    if (excess.all_contacts == 0)
-      text << "contacts, still elastic, exceed";
-    else
-      text << excess.all_contacts << " contacts have exceeded";
-    text << " the validity range of the law (" << excess.range << "). The largest overlap was "
-         << furthest << " times the limit. Use a law with a larger range, or lower the load";
-    warn(lmp, text.str());
+    warn(lmp, model + ": " + range_warning(excess.range, excess.all_contacts, furthest));
   }
 }
 
@@ -52,10 +41,7 @@ void RangeCheck::print_furthest(const std::string& model, Excess& excess, double
   MPI_Reduce(&excess.furthest, &furthest, 1, MPI_DOUBLE, MPI_MAX, 0, world);
   if (comm->me != 0 || furthest <= factor * excess.printed_furthest) return;
   excess.printed_furthest = furthest;
-  std::ostringstream line;  // log line that the Python package parses
-  line << "plastigran range " << model.substr(model.find(' ') + 1)
-       << " contacts=" << excess.all_contacts << " furthest=" << furthest << '\n';
-  print(lmp, line.str());
+  print(lmp, range_line(model.substr(model.find(' ') + 1), excess.all_contacts, furthest));
 }
 
 }  // namespace plastigran

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// Text of the hosts about contacts beyond the validity range of their law.
+#pragma once
+
+#include <sstream>
+#include <string>
+
+namespace plastigran {
+
+// Returns the warning at the end of a run. `range` is the validity range in words. `furthest` is
+// the largest ratio of overlap to limit.
+inline std::string range_warning(const std::string& range, double contacts, double furthest) {
+  std::ostringstream text;
+  // Elastic contacts are reported without a count: their state does not record whether they were
+  // counted before.
+  if (contacts == 0)
+    text << "contacts, still elastic, exceed";
+  else
+    text << contacts << " contacts have exceeded";
+  text << " the validity range of the law (" << range << "). The largest overlap was " << furthest
+       << " times the limit. Use a law with a larger range, or lower the load";
+  return text.str();
+}
+
+// Returns the log line that the Python package reads.
+inline std::string range_line(const std::string& law, double contacts, double furthest) {
+  std::ostringstream line;
+  line << "plastigran range " << law << " contacts=" << contacts << " furthest=" << furthest
+       << '\n';
+  return line.str();
+}
+
+}  // namespace plastigran
