@@ -12,7 +12,7 @@ from lammps_scenes import run
 from plastigran.engine.process import PROJECT, EngineError
 
 PAGE = (PROJECT / "docs" / "lammps_defects.md").read_text()
-WRITE_RESTART, MIXED_TYPES, READ_RESTART = re.findall(r"```\n(.*?)```", PAGE, re.DOTALL)
+WRITE_RESTART, MIXED_TYPES, READ_RESTART, OPEN_END = re.findall(r"```\n(.*?)```", PAGE, re.DOTALL)
 
 
 def result(folder: Path, script: str, **variables: object) -> float:
@@ -40,3 +40,10 @@ def test_read_restart_loses_the_cutoff(tmp_path):
     except EngineError as error:
         log = str(error)
     assert "Communication cutoff is 0.0" in log or "box size << cutoff" in log
+
+
+def test_a_contact_at_an_open_end_loses_its_history(tmp_path):
+    forces = [result(tmp_path, OPEN_END, end=end) for end in (1, 0)]
+    for force in forces:
+        assert f"{force:.1f}".replace("-", "−") in PAGE
+    assert abs(forces[1]) < 0.6 * abs(forces[0])
