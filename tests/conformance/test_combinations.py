@@ -125,6 +125,10 @@ LUDING = {
 SLIPPING = {
     "partial_slip": Contact("tangential partial_slip"),
     "partial_slip and epsd2": Contact("tangential partial_slip rolling_friction epsd2"),
+    "8 rings and epsd2": Contact(
+        "tangential partial_slip rolling_friction epsd2", options="rings 8"
+    ),
+    "2 rings": Contact("tangential partial_slip", options="rings 2"),
     "partial_slip and dashpot": Contact("tangential partial_slip", options="viscous_damping on"),
     "incremental": Contact("tangential incremental"),
 }

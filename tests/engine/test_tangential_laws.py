@@ -12,7 +12,7 @@ import pytest
 
 from plastigran import laws
 from plastigran.engine.log import read_thermo
-from plastigran.engine.process import run_deck
+from plastigran.engine.process import EngineError, run_deck
 
 #: Angle from the normal [degrees] and tangential restitution for mu = 0.1 and nu = 0.3, as in
 #: tests/verification/test_oblique_contact.py.
@@ -113,14 +113,21 @@ def test_plastic_impacts_gain_no_energy(normal, law, tmp_path):
         assert after.moving + after.turning < most + 1e-3 * steep.moving
 
 
-@pytest.mark.parametrize("law", LAWS)
-def test_force_is_that_of_the_law(law, tmp_path):
+@pytest.mark.parametrize(
+    ("law", "rings"),
+    [("incremental", None), ("partial_slip", None), ("partial_slip", 2), ("partial_slip", 8)],
+)
+def test_force_is_that_of_the_law(law, rings, tmp_path):
     """An elastic sphere moves on a given path, on which the contact sticks, slips and unloads.
 
     The force differs by at most 1e-9 of the largest friction force: the round-off of positions,
     relative to the overlap, adds up over 1500 steps. The tolerance was set before the first run.
     """
-    lines = LINES.format(law=law, normal="thornton")
+    option, law_rings = (f" rings {rings}", (rings,)) if rings else ("", ())
+    lines = LINES.format(law=law, normal="thornton").replace(
+        "\npair_coeff", f"{option}\npair_coeff"
+    )
+    lines += option
     report = REPORT.replace("thermo 1000", "thermo 1").replace("%.15g", "%.17g")
     text = DECK.format(lines=lines, report=report, steps=0, strength=1e15, along=0.0, into=0.0)
     text += "".join(SEGMENT.format(*velocity) for velocity in PATH)
@@ -131,7 +138,7 @@ def test_force_is_that_of_the_law(law, tmp_path):
     flexibility = 1 / 70e9 + 1 / 70e15
     youngs_eff = 1 / ((1 - 0.3**2) * flexibility)
     shear_eff = 1 / (2 * (2 - 0.3) * (1 + 0.3) * flexibility)
-    tangential = laws.TANGENTIAL_LAWS[law](0.1)
+    tangential = laws.TANGENTIAL_LAWS[law](0.1, *law_rings)
     state = tangential.State()
     largest, errors = 0.0, []
     for step in range(1, 300 * len(PATH) + 1):
@@ -149,6 +156,16 @@ def test_force_is_that_of_the_law(law, tmp_path):
         errors.append(abs(steps.force_y[step] + expected.force_y))
     assert len(errors) > 2000
     assert max(errors) < 1e-9 * largest
+
+
+@pytest.mark.parametrize("rings", ["9", "1", "2.5", "many"])
+def test_wrong_number_of_rings_stops_the_run(rings, tmp_path):
+    lines = LINES.format(law="partial_slip", normal="thornton") + f" rings {rings}"
+    text = DECK.format(lines=lines, report="", steps=1, strength=1e15, along=0.0, into=0.0)
+    (tmp_path / "rings.in").write_text(text)
+    expected = "tangential partial_slip: rings is .*; it must be a whole number, 2 to 8"
+    with pytest.raises(EngineError, match=expected):
+        run_deck(tmp_path / "rings.in", {}, tmp_path)
 
 
 #: Terms of the energy balance.

@@ -44,7 +44,7 @@ class AccountedContact : private ContactSetup, public LIGGGHTS::ContactModels::C
         engine_(engine),
         owner_(owner),
         spring_offset_(has_model("tangential", "history") ? offset_of("shearx") : -1) {
-    if (when_constructed) when_constructed();
+    for (const auto& action : when_constructed) action();
     if constexpr (std::is_same_v<Owner, LAMMPS_NS::PairGran>) pair_ = owner;
   }
 

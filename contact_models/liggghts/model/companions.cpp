@@ -46,6 +46,8 @@ bool has_model(std::int64_t hash, const std::string& keyword, const std::string&
   if (keyword == "normal")
     return LIGGGHTS::ContactModels::Factory::instance().getNormalModelId(name) == model_of(hash, 0);
   if (keyword == "adhesion") return name == "jkr" && (hash & with_adhesion);
+  if (keyword == "rings")
+    return hash_of_rings(rings_of(hash)) && name == std::to_string(rings_of(hash));
   const auto& kinds = companion_kinds();
   for (std::size_t k = 0; k < kinds.size(); ++k)
     for (const Companion& companion : kinds[k].models)

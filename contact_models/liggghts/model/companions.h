@@ -29,12 +29,25 @@ const std::array<CompanionKind, 4>& companion_kinds();
 // rolling, 4 surface. Each place has six bits.
 inline int model_of(std::int64_t hash, std::size_t place) { return hash >> 6 * place & 63; }
 
+// Number of rings of `tangential partial_slip`.
+constexpr int least_rings = 2, default_rings = 4, most_rings = 8;
+
 // The next bit of the hash, which marks a law with the option `adhesion jkr`. Restart files contain
 // the hash, so that the contact history after a restart has the same values.
 constexpr std::int64_t with_adhesion = std::int64_t{1} << 30;
 
+// The next three bits of the hash, for the number of rings of `tangential partial_slip`: 0 stands
+// for the default, other values for the number less 1.
+inline int rings_of(std::int64_t hash) {
+  const int bits = hash >> 31 & 7;
+  return bits == 0 ? default_rings : bits + 1;
+}
+inline std::int64_t hash_of_rings(int rings) {
+  return rings == default_rings ? 0 : std::int64_t{rings - 1} << 31;
+}
+
 // Returns whether the hash contains the model `name` after `keyword`: "normal", "tangential", ...,
-// or the option "adhesion" "jkr".
+// or the option "adhesion" "jkr", or a number of "rings" other than the default.
 bool has_model(std::int64_t hash, const std::string& keyword, const std::string& name);
 
 }  // namespace plastigran

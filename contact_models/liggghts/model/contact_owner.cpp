@@ -46,6 +46,8 @@ std::string ContactOwner::other_models() const {
     for (const Companion& companion : kind.models)
       if (companion.id != 0 && has_model(kind.keyword, companion.name))
         text += std::string(" ") + kind.keyword + ' ' + companion.name;
+  for (int rings = least_rings; rings <= most_rings; ++rings)
+    if (has_model("rings", std::to_string(rings))) text += " rings " + std::to_string(rings);
   return text;
 }
 

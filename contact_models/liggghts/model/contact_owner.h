@@ -36,7 +36,8 @@ class ContactOwner {
   // normal model of LIGGGHTS.
   std::string law() const;
 
-  // Returns the other contact models in the line (" KIND NAME ..."), without those that are off.
+  // Returns the other contact models in the line (" KIND NAME ..."), without those that are off,
+  // and the number of rings if it is not the default.
   std::string other_models() const;
 
   // Returns why one of the other models cannot be combined with a law; empty if all can.

@@ -10,6 +10,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "contact_interface.h"
 #include "liggghts/model/accounted_load.h"
@@ -40,6 +41,8 @@ class ContactSetup : public LIGGGHTS::IContactHistorySetup {
   int64_t hash() const { return hash_; }
   bool has_adhesion() const { return hash_ & with_adhesion; }
   void add_adhesion() { hash_ |= with_adhesion; }
+  int rings() const { return rings_of(hash_); }
+  void set_rings(int rings) { hash_ |= hash_of_rings(rings); }
   int model(std::size_t place) const { return model_of(hash_, place); }
   bool has_model(const std::string& keyword, const std::string& name) const {
     return plastigran::has_model(hash_, keyword, name);
@@ -51,8 +54,8 @@ class ContactSetup : public LIGGGHTS::IContactHistorySetup {
     return entry == offsets_.end() ? -1 : entry->second;
   }
 
-  // Function that a model may set. It is called when all models are constructed.
-  std::function<void()> when_constructed;
+  // Functions that models may add. They are called when all models are constructed.
+  std::vector<std::function<void()>> when_constructed;
 
   // Load on particle i in the current call, if its energies are counted; otherwise null.
   AccountedLoad* counted_load = nullptr;

@@ -73,7 +73,7 @@ class NormalModel<ANY> : public plastigran::AnyModel<NormalModelBase> {
  public:
   NormalModel(LAMMPS* engine, IContactHistorySetup* setup, ContactModelBase* contact_model)
       : AnyModel(engine, setup, contact_model), engine_(engine), contact_model_(contact_model) {
-    if (setup_.has_adhesion()) setup_.when_constructed = [this] { add_adhesion(""); };
+    if (setup_.has_adhesion()) setup_.when_constructed.push_back([this] { add_adhesion(""); });
     // LIGGGHTS' tangential and rolling models `luding` read the adhesion of its normal model
     // `luding` from the history. The laws have no such value; a history value that stays zero
     // replaces it.

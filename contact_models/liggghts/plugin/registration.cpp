@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <iterator>
 #include <string>
+#include <vector>
 
 #include "liggghts/heat/dissipation_heat.h"
 #include "liggghts/model/companions.h"
@@ -106,7 +107,13 @@ void add(const RegisteredLaw& law, const RegisteredCombination& models) {
   const int64_t hash = Utils::generate_gran_hashcode(law.id, models.tangential, models.cohesion,
                                                      models.rolling, models.surface);
   const RegisteredCombination* const combination = find(models);
-  for (const int64_t variant : {hash, hash | with_adhesion}) {
+  std::vector<int64_t> variants{hash, hash | with_adhesion};
+  if (models.tangential == TANGENTIAL_PARTIAL_SLIP)
+    for (int rings = least_rings; rings <= most_rings; ++rings)
+      if (rings != default_rings)
+        for (const int64_t variant : {hash, hash | with_adhesion})
+          variants.push_back(variant | hash_of_rings(rings));
+  for (const int64_t variant : variants) {
     PairStyles::Factory::instance().addStyle(
         "gran", variant,
         combination ? combination->pair : refuse<PairStyles::IGranularPairStyle, PairGran>);

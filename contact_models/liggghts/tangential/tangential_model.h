@@ -11,11 +11,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <sstream>
 #include <string>
 
 #include "atom.h"
 #include "contact_models.h"
 #include "global_properties.h"
+#include "liggghts/fixes/messages.h"
 #include "liggghts/model/contact_setup.h"
 #include "plastigran/friction/incremental.h"
 #include "plastigran/friction/partial_slip.h"
@@ -44,6 +46,7 @@ struct TangentialHistory;
 template <>
 struct TangentialHistory<Incremental> {
   static constexpr int values = 7;
+  static constexpr bool has_rings = false;
   // Returns the offset of the first value.
   static int add(LIGGGHTS::IContactHistorySetup& setup) {
     const int offset = add_vector(setup, "stick_normal");
@@ -56,17 +59,26 @@ struct TangentialHistory<Incremental> {
 template <>
 struct TangentialHistory<PartialSlip<4>> {
   static constexpr int values = 19;
+  static constexpr bool has_rings = true;
   // Returns the offset of the first value.
   static int add(LIGGGHTS::IContactHistorySetup& setup) {
     const int offset = add_vector(setup, "stick_normal");
     add_vector(setup, "stick_axis");
     add_number(setup, "ring_compliance");
-    for (const char* const ring : {"1", "2", "3", "4"}) {
-      add_number(setup, std::string("ring_edge") + ring);
+    add_rings(setup, 1, default_rings);
+    return offset;
+  }
+  // Adds the values of the rings `first` to `last`, and returns the offset of the first value.
+  static int add_rings(LIGGGHTS::IContactHistorySetup& setup, int first, int last) {
+    int offset = -1;
+    for (int k = first; k <= last; ++k) {
+      const std::string ring = std::to_string(k);
+      const int edge = add_number(setup, "ring_edge" + ring);
+      if (k == first) offset = edge;
       // Seen from the other particle, the normal and the x axis of the contact change their sign,
       // so the y axis remains. A share that changes its sign has the same x and the opposite y.
-      add_number(setup, std::string("ring_sharex") + ring);
-      setup.add_history_value(std::string("ring_sharey") + ring, "1");
+      add_number(setup, "ring_sharex" + ring);
+      setup.add_history_value("ring_sharey" + ring, "1");
     }
     return offset;
   }
@@ -86,11 +98,25 @@ class TangentialLawModel : public LIGGGHTS::ContactModels::TangentialModelBase {
                      LIGGGHTS::ContactModels::ContactModelBase* contact_model)
       : TangentialModelBase(engine, setup, contact_model), setup_(ContactSetup::of(setup)) {
     history_offset_ = TangentialHistory<Law>::add(setup_);
+    if (setup_.rings() != default_rings)  // after a restart
+      setup_.when_constructed.push_back([this] { add_rings(); });
   }
 
-  void registerSettings(Settings&) override {}
+  void registerSettings(Settings& settings) override {
+    if constexpr (TangentialHistory<Law>::has_rings)
+      settings.registerDoubleSetting("rings", rings_, setup_.rings());
+  }
+
   void postSettings(LIGGGHTS::IContactHistorySetup*,
-                    LIGGGHTS::ContactModels::ContactModelBase*) override {}
+                    LIGGGHTS::ContactModels::ContactModelBase*) override {
+    if (rings_ == setup_.rings()) return;
+    if (!(rings_ >= least_rings && rings_ <= most_rings) || rings_ != static_cast<int>(rings_))
+      stop(this->lmp, std::string("tangential ") + Law::name + ": rings is " + number_text(rings_) +
+                          "; it must be a whole number, " + std::to_string(least_rings) + " to " +
+                          std::to_string(most_rings));
+    setup_.set_rings(static_cast<int>(rings_));
+    add_rings();
+  }
 
   void connectToProperties(PropertyRegistry& registry) override {
     registry.registerProperty("coeffFrict", &MODEL_PARAMS::createCoeffFrict);
@@ -114,12 +140,51 @@ class TangentialLawModel : public LIGGGHTS::ContactModels::TangentialModelBase {
       *contact.contact_flags &= ~LIGGGHTS::ContactModels::CONTACT_TANGENTIAL_MODEL;
     if (contact.contact_history)
       std::memset(contact.contact_history + history_offset_, 0, sizeof(State));
+    if (contact.contact_history && extra_rings_offset_ >= 0)
+      std::memset(contact.contact_history + extra_rings_offset_, 0, extra_bytes());
   }
 
   void beginPass(Contact&, Load&, Load&) override {}
   void endPass(Contact&, Load&, Load&) override {}
 
  private:
+  // Adds the history values of the rings beyond the default number.
+  void add_rings() {
+    if constexpr (TangentialHistory<Law>::has_rings)
+      extra_rings_offset_ =
+          TangentialHistory<Law>::add_rings(setup_, default_rings + 1, setup_.rings());
+  }
+  std::size_t extra_bytes() const {
+    return 3 * sizeof(double) * static_cast<std::size_t>(setup_.rings() - default_rings);
+  }
+
+  static std::string number_text(double number) {
+    std::ostringstream text;
+    text << number;
+    return text.str();
+  }
+
+  // Advances the state of a contact whose number of rings is not the default. Its history is in two
+  // parts.
+  [[gnu::noinline]] TangentialResponse respond_with_rings(double friction, const NormalLoad& load,
+                                                          const TangentialMotion& motion,
+                                                          double* history, bool writes) const {
+    typedef PartialSlip<most_rings> LawOfRings;
+    constexpr std::size_t first_part = LawOfRings::state_size(default_rings) * sizeof(double);
+    LawOfRings::State state;
+    char* const bytes = reinterpret_cast<char*>(&state);
+    double* const extra = history + extra_rings_offset_;
+    std::memcpy(bytes, history + history_offset_, first_part);
+    if (extra_rings_offset_ >= 0) std::memcpy(bytes + first_part, extra, extra_bytes());
+    const TangentialResponse response =
+        LawOfRings(friction, setup_.rings()).respond(load, motion, state);
+    if (writes) {
+      std::memcpy(history + history_offset_, bytes, first_part);
+      if (extra_rings_offset_ >= 0) std::memcpy(extra, bytes + first_part, extra_bytes());
+    }
+    return response;
+  }
+
   static Vector3 vector(const double* value) { return {value[0], value[1], value[2]}; }
 
   static void add(const Vector3& value, double* sum) {
@@ -137,14 +202,19 @@ class TangentialLawModel : public LIGGGHTS::ContactModels::TangentialModelBase {
     motion.normal = vector(contact.en);
     double* const history = contact.contact_history + history_offset_;
     TangentialResponse response;
+    const bool advances = contact.computeflag && contact.shearupdate;
     // The setup of a run advances no contact, because no particle has moved since the last step.
-    if (contact.computeflag && contact.shearupdate) {
+    if (advances) {
       const double dt = this->update->dt;
       const Vector3 omega_i = vector(contact.omega_i);
       const Vector3 omega = contact.is_wall ? omega_i : omega_i + vector(contact.omega_j);
       motion.displacement = dt * velocity;
       motion.separation = dt * contact.vn;
       motion.spin = 0.5 * dt * dot(omega, motion.normal);
+    }
+    if (TangentialHistory<Law>::has_rings && setup_.rings() != default_rings) {
+      response = respond_with_rings(friction, load, motion, contact.contact_history, advances);
+    } else if (advances) {
       // The history has the layout of the state (see the assertion above).
       response = Law(friction).respond(load, motion, *reinterpret_cast<State*>(history));
     } else {
@@ -180,6 +250,8 @@ class TangentialLawModel : public LIGGGHTS::ContactModels::TangentialModelBase {
   ContactSetup& setup_;
   double** friction_ = nullptr;  // mu of two particle types
   int history_offset_;
+  int extra_rings_offset_ = -1;  // offset of the rings beyond the default number; -1 if none
+  double rings_ = default_rings;
 };
 
 }  // namespace plastigran

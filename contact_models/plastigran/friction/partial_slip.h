@@ -55,7 +55,9 @@ class PartialSlip {
     double compliance = 0;      // c
     Ring rings[capacity] = {};  // from the middle outward
   };
-  PLASTIGRAN_DEVICE static std::size_t state_size(int rings) { return 7 + 3 * std::size_t(rings); }
+  PLASTIGRAN_DEVICE static constexpr std::size_t state_size(int rings) {
+    return 7 + 3 * std::size_t(rings);
+  }
 
   explicit PartialSlip(double coefficient_of_friction = 0, int rings = default_rings)
       : friction_(coefficient_of_friction), kept_(rings) {}
