@@ -8,8 +8,8 @@
 //   |T| <= mu F                 Coulomb
 //   U = |T|^2/(16 G* a)         stored energy
 //
-// Range: sliding and small spring forces. Below the angle of gross sliding, the tangential
-// restitution of an oblique elastic impact is up to 0.12 too high (docs/friction.md).
+// Range: contacts that slide, or whose spring force is small. Below the angle of gross sliding, the
+// tangential restitution of an oblique elastic impact is up to 0.12 too high (docs/friction.md).
 #pragma once
 
 #include <cmath>

@@ -5,23 +5,26 @@
 // 1993, Arch. Appl. Mech. 63:402; Ciavarella 1998, Int. J. Solids Struct. 35:2363; method of memory
 // diagrams, Aleshin, Bou Matar & Van Den Abeele 2015, Int. J. Solids Struct. 60:14.
 //
-// A ring between the normal forces F1 and F2 has the share of friction D, a vector, |D| <= mu:
+// A ring is the part of the contact area that is added while the normal force grows from F1 to F2.
+// Each ring has a vector D, its tangential force divided by its normal force, with |D| <= mu:
 //
 //   T = sum of D (F2 - F1)                           tangential force
 //   s = sum of D (h(F2) - h(F1))                     tangential displacement
 //   h(F) = integral of dF/(8 G* a) = c F^(2/3)       with a^3 proportional to F on unloading
 //   U = integral of T(F).D dh                        stored energy, T(F) of the rings below F
 //
-// A step with the displacement increment w:
+// A step changes the normal force to F and adds the tangential displacement w:
 //
-//   loading     adds a ring with D = w/dh, cut at mu; w loses what the ring takes
-//   unloading   removes the rings above F; w gains their displacement
-//   slip        where w remains: all rings above a force get D = mu n, with one direction n, such
-//               that they take w; if no force is low enough, the contact slides
-//   merger      of neighboring rings, where there are more than the law keeps
+//   loading     adds a ring with D = w/dh, limited to |D| = mu; w decreases by D dh
+//   unloading   removes the rings above F; w increases by their displacement
+//   slip        if a part of w remains, all rings above some force get D = mu n, with the direction
+//               n and this force such that the rings take w. If no force is low enough, the
+//               contact slides
+//   merger      merges neighboring rings if there are more than the state can store
 //
-// Range: exact for elastic spheres with many rings; with four, the tangential restitution is within
-// 0.008. Plastic contacts keep the forces at the edges of their rings: a construction.
+// Range: exact for elastic spheres with many rings. With four rings, the error of the tangential
+// restitution is at most 0.008. In plastic contacts, each ring keeps the normal forces at its
+// edges; this is an assumption.
 #pragma once
 
 #include <cmath>
@@ -31,7 +34,7 @@
 
 namespace plastigran {
 
-// `capacity` rings fit into the state.
+// `capacity` is the largest number of rings that the state can store.
 template <int capacity = 8>
 class PartialSlip {
  public:
@@ -42,17 +45,17 @@ class PartialSlip {
   static constexpr const char* range = "exact for elastic spheres with many rings";
   static constexpr int most_rings = capacity, default_rings = 4;
 
-  // Forces are cubes of their roots p = F^(1/3), so that h = c p^2. The share is a vector in the
-  // frame of the contact.
+  // The edge of a ring is stored as p = F^(1/3), where F is the normal force at the edge, so that h
+  // = c p^2. The vector D is stored in the frame of the contact.
   struct Ring {
     double edge;  // p at the outer edge; 0 where there is no ring
     double x, y;  // D
   };
-  // The frame has the axes x, normal cross x, and normal. It turns with the contact plane, so the
-  // shares do not change when the contact turns.
+  // The frame of the contact has the axes x, normal cross x, and normal. It turns with the contact
+  // plane, so D does not change when the contact turns.
   struct State {
     Vector3 normal, x_axis;
-    double compliance = 0;      // c
+    double compliance = 0;      // c [m/N^(2/3)]: h = c p^2
     Ring rings[capacity] = {};  // from the middle outward
   };
   PLASTIGRAN_DEVICE static constexpr std::size_t state_size(int rings) {
@@ -106,7 +109,8 @@ class PartialSlip {
     PLASTIGRAN_DEVICE Plane in_plane(const Vector3& a) const { return {dot(a, x), dot(a, y)}; }
     PLASTIGRAN_DEVICE Vector3 in_space(Plane a) const { return a.x * x + a.y * y; }
 
-    // Before first touch, x is any direction of the plane.
+    // Returns the axis x at the end of the step. Before first touch, any direction in the plane
+    // serves.
     PLASTIGRAN_DEVICE static Vector3 turned(const State& state, const TangentialMotion& motion) {
       if (state.compliance == 0) {
         const Vector3& n = motion.normal;
@@ -114,13 +118,13 @@ class PartialSlip {
         const Vector3 axis = any - dot(any, n) * n;
         return 1 / length(axis) * axis;
       }
-      // The factor removes the round-off of many rotations.
+      // The factor restores the unit length, which round-off of many rotations would change.
       const double factor = 1.5 - 0.5 * dot(state.x_axis, state.x_axis);
       return factor * FrameRotation(state.normal, motion)(state.x_axis);
     }
   };
 
-  // The contact ends in this step, and its stored energy is lost.
+  // Ends the contact in this step: its stored energy is dissipated.
   PLASTIGRAN_DEVICE TangentialResponse end(const TangentialMotion& motion, State& state) const {
     TangentialResponse response;
     if (state.compliance > 0) {
@@ -136,8 +140,8 @@ class PartialSlip {
   PLASTIGRAN_DEVICE static Plane share(const Ring& ring) { return {ring.x, ring.y}; }
   PLASTIGRAN_DEVICE static double cube(double p) { return p * p * p; }
 
-  // F^(1/3), by the series about a force `near`^3 where this is exact to round-off. A step of
-  // Halley's method brings `near` there.
+  // Returns force^(1/3). `near` is an estimate of it. The series about near^3 is exact to round-off
+  // within 1/64 of near^3. Up to 0.45, a step of Halley's method first improves `near`.
   PLASTIGRAN_DEVICE static double cube_root(double force, double near) {
     double x = near > 0 ? force / cube(near) - 1 : 1;
     if (std::abs(x) > 1.0 / 64) {
@@ -147,12 +151,12 @@ class PartialSlip {
     }
     constexpr double a1 = 1.0 / 3, a2 = -1.0 / 9, a3 = 5.0 / 81, a4 = -10.0 / 243, a5 = 22.0 / 729,
                      a6 = -154.0 / 6561, a7 = 374.0 / 19683;
-    // In pairs, because a processor computes several products at a time.
+    // Group the terms in pairs, because a processor computes independent products in parallel.
     const double x2 = x * x, low = a1 + a2 * x, high = a3 + a4 * x, highest = a5 + a6 * x;
     return near + near * (x * (low + x2 * (high + x2 * (highest + x2 * a7))));
   }
 
-  // T and U/c of some rings, from the middle outward.
+  // Tangential force T and stored energy U/c of rings, summed from the middle outward.
   struct Sum {
     Plane force;
     double energy = 0;
@@ -169,7 +173,7 @@ class PartialSlip {
     }
   };
 
-  // The rings of a contact.
+  // The rings of one contact, from the middle outward.
   struct Diagram {
     Ring* ring;
     int count;
@@ -188,10 +192,11 @@ class PartialSlip {
       for (int k = 0; k < count; ++k) ring[k].x *= factor, ring[k].y *= factor;
     }
 
-    // The compliance c of this step, and the rings at it. The stored energy is proportional to c.
-    // A lower c, as in plastic loading, keeps the forces and releases energy. A higher c would
-    // create energy: the old one remains, unless it is less than 1/1.5 of the new one. It then
-    // follows, and the shares fall as far as keeps the energy.
+    // Returns the compliance c of this step, and adapts the rings to it. The stored energy is
+    // proportional to c. A lower c, as in plastic loading, keeps the forces and releases energy. A
+    // higher c would create energy. Therefore the old c remains until the new c exceeds 1.5 times
+    // the old one. Then c grows to the new value divided by 1.5, and every D decreases so that the
+    // stored energy stays the same.
     PLASTIGRAN_DEVICE double follow(double old, double now) {
       constexpr double hysteresis = 1.5;
       if (count == 0 || now <= old) return now;
@@ -200,7 +205,7 @@ class PartialSlip {
       return now / hysteresis;
     }
 
-    // Removes the rings above `top` and returns their displacement over c.
+    // Removes the rings above p = `top`. Returns their displacement divided by c.
     PLASTIGRAN_DEVICE Plane cut(double top) {
       Plane held;
       while (count > 0 && edge(count - 1) > top) {
@@ -215,7 +220,7 @@ class PartialSlip {
       return held;
     }
 
-    // Change of the energy when rings k and k + 1 merge and keep their force.
+    // Returns the change of U/c if rings k and k + 1 merge and keep their tangential force.
     PLASTIGRAN_DEVICE double rise(int k) const {
       const Sum below = sum(k);
       Sum apart = below, merged = below;
@@ -225,7 +230,7 @@ class PartialSlip {
       return merged.energy - apart.energy;
     }
 
-    // Rings k and k + 1 as one. The force remains.
+    // Returns the ring that replaces rings k and k + 1 and has the same tangential force.
     PLASTIGRAN_DEVICE Ring merger(int k) const {
       const double start = cube(edge(k - 1)), middle = cube(edge(k)), end = cube(edge(k + 1));
       const double weight = (middle - start) / (end - start);
@@ -234,18 +239,19 @@ class PartialSlip {
               outer.y + weight * (inner.y - outer.y)};
     }
 
-    // Square of the change of the displacement when rings k and k + 1 merge: the difference of the
-    // shares times the width of both rings. A smaller measure for thin rings would let the outer
-    // ring absorb all thin ones, at any small step.
+    // Returns a measure of the displacement error if rings k and k + 1 merge: the squared product
+    // of the difference of their D and the width of both rings. A measure that is smaller for thin
+    // rings would let the outer ring absorb all thin rings, however small the step is.
     PLASTIGRAN_DEVICE double change(int k) const {
       const Plane difference = share(ring[k + 1]) - share(ring[k]);
       const double width = square(k + 1) - square(k - 1);
       return dot(difference, difference) * (width * width);
     }
 
-    // Merges the pair whose displacement changes least, among those whose merger raises the energy
-    // by at most 1/1000. If there is none, merges the pair that raises the energy least. Where the
-    // energy rises, all shares fall until it is as before, by a small slip.
+    // Merges two neighboring rings: the pair whose displacement changes least among the pairs that
+    // raise the energy by at most 1/1000. If there is no such pair, merges the pair that raises the
+    // energy least. A small slip then removes the added energy: every D decreases until the energy
+    // is as before.
     PLASTIGRAN_DEVICE void merge_one() {
       int best = 0;
       double least = change(0);
@@ -264,7 +270,7 @@ class PartialSlip {
       --count;
     }
 
-    // Returns the pair that merge_one() merges, and what it raises the energy by.
+    // Returns the index of the pair that merge_one() merges. Sets `raised` to its energy increase.
     PLASTIGRAN_DEVICE int admissible_pair(double admissible, double& raised) const {
       int best = 0;
       double least = change(0);
@@ -279,19 +285,20 @@ class PartialSlip {
     }
   };
 
-  // Moves the contact to the force edge^3, and by `wanted` c along the surface.
+  // Moves the contact to the normal force edge^3 and by the tangential displacement c * `wanted`.
   PLASTIGRAN_DEVICE void move(Diagram& rings, double edge, Plane wanted) const {
     if (edge < rings.edge(rings.count - 1)) wanted = wanted + rings.cut(edge);
-    // A ring takes a displacement of at most mu times its width.
+    // The displacement of a ring is at most mu times its width.
     const double limit = friction_ * friction_, square = edge * edge;
-    double width = square - rings.square(rings.count - 1);  // of the ring that loading adds
+    double width = square - rings.square(rings.count - 1);  // width of the ring that loading adds
     double excess = dot(wanted, wanted) - limit * (width * width);
     if (!(excess > 0)) {
       if (width > 0) add(rings, edge, 1 / width * wanted);
       return;
     }
-    // Slip: the rings above a force, together with the new one, get one share mu n. The loop
-    // includes one ring after the other.
+    // Slip: all rings outside some force, together with the new ring, get D = mu n. The loop
+    // includes ring after ring from the outside, until the included rings can take the
+    // displacement.
     while (rings.count > 0) {
       Ring& last = rings.ring[rings.count - 1];
       const Plane d = share(last);
@@ -317,7 +324,7 @@ class PartialSlip {
     add(rings, edge, friction_ / std::sqrt(dot(wanted, wanted)) * wanted);
   }
 
-  // Adds a ring. If there is no room for it, two rings merge.
+  // Adds a ring outside the others. If the state has no room for it, two rings merge.
   PLASTIGRAN_DEVICE void add(Diagram& rings, double edge, Plane share) const {
     const Ring outer{edge, share.x, share.y};
     if (rings.count < kept_) {
@@ -338,7 +345,7 @@ class PartialSlip {
   }
 
   double friction_;  // mu
-  int kept_;         // number of rings after a step
+  int kept_;         // number of rings that the state stores
 };
 
 }  // namespace plastigran

@@ -10,10 +10,11 @@
 //   state_size(rings)                   number of leading doubles of State that the law uses
 //   respond(load, motion, state)        advances the state by one step and returns the Response
 //
-// A law needs two values of the normal contact: the force, and the tangential stiffness 8 G* a of
-// the contact radius a. The law assumes that unloading is elastic with a^3 proportional to the
-// force. The tangential displacement per unit share of friction is then 3/2 force/stiffness. This
-// assumption is exact for the Hertz contact and for the unloading of most laws.
+// A law needs two values of the normal contact: the normal force F, and the tangential stiffness 8
+// G* a, where a is the contact radius. The law assumes that unloading is elastic with a^3
+// proportional to F. If the tangential traction is everywhere D times the normal traction, the
+// tangential displacement is then 3/2 D F/(8 G* a). The assumption is exact for the Hertz contact
+// and for the unloading of most laws.
 //
 // SI units throughout.
 #pragma once
@@ -47,7 +48,7 @@ PLASTIGRAN_DEVICE inline double length(const Vector3& a) { return std::sqrt(dot(
 
 // The normal contact at the end of a step.
 struct NormalLoad {
-  double force = 0;      // the part that limits friction: without dashpot and adhesion [N]
+  double force = 0;      // normal force that limits friction, without dashpot and adhesion [N]
   double stiffness = 0;  // tangential stiffness without slip, 8 G* a [N/m]
 };
 
@@ -55,15 +56,16 @@ struct NormalLoad {
 struct TangentialMotion {
   Vector3 displacement;   // displacement of the first body's surface relative to the second's [m]
   Vector3 normal;         // unit vector of the contact at the end of the step
-  double spin = 0;        // rotation of the pair about the normal, mean of both bodies [rad]
+  double spin = 0;        // rotation of the contact about the normal, mean of both bodies [rad]
   double separation = 0;  // displacement along the normal, positive if the bodies separate [m]
 };
 
-// Returns the tangential displacement of a step, up to a part along the new normal. Velocity Verlet
-// gives the displacement of the step, and the normal at its end. The plane of the displacement is
-// that in the middle of the step, so a part of the separation is tangential. Without this part, the
-// error of the force is of first order in the step (Vyas, Ottino, Lueptow & Umbanhowar 2025,
-// Comput. Phys. Commun. 310:109524). `before` is the old normal, zero before first touch.
+// Returns the displacement of a step without the part that is due to separation. With velocity
+// Verlet, the displacement belongs to the contact plane in the middle of the step, but `normal` is
+// that at its end. Therefore a part of the separation appears as tangential displacement. Without
+// this correction, the error of the force is of first order in the step (Vyas, Ottino, Lueptow &
+// Umbanhowar 2025, Comput. Phys. Commun. 310:109524). The caller removes the part along the new
+// normal. `before` is the normal of the previous step, zero before first touch.
 PLASTIGRAN_DEVICE inline Vector3 centered_displacement(const Vector3& before,
                                                        const TangentialMotion& motion) {
   return motion.displacement - 0.5 * motion.separation * before;
@@ -80,16 +82,16 @@ struct TangentialResponse {
 // the spin about the new normal.
 class FrameRotation {
  public:
-  // `before` is zero before first touch.
+  // `before` is the normal of the previous step, zero before first touch.
   PLASTIGRAN_DEVICE FrameRotation(const Vector3& before, const TangentialMotion& motion)
       : normal_(motion.normal), sum_(before + motion.normal), spin_(motion.spin) {
     const double divisor = 1 + dot(before, motion.normal);
     factor_ = 1 / (divisor > 0.5 ? divisor : 0.5);
   }
 
-  // Returns a vector of the old plane, rotated to the new plane. Round-off does not accumulate,
-  // because the result is perpendicular to the new normal, even if `old` was not exactly in the old
-  // plane.
+  // Returns the vector `old` of the old plane, rotated to the new plane. The result is
+  // perpendicular to the new normal even if `old` was not exactly in the old plane, so round-off
+  // does not accumulate.
   PLASTIGRAN_DEVICE Vector3 operator()(const Vector3& old) const {
     const Vector3 tilted = old - factor_ * dot(old, normal_) * sum_;
     if (spin_ == 0) return tilted;

@@ -28,7 +28,8 @@ constexpr bool has_breaks = false;
 template <class Law>
 constexpr bool has_breaks<Law, std::void_t<decltype(&Law::overlap_breaks)>> = true;
 
-// Returns these overlaps, divided by R*. They depend on R* if the law has adhesion.
+// Returns the overlaps at which the force may jump, divided by R*. They depend on R* if the law has
+// adhesion.
 template <class Law>
 auto overlap_breaks(const Law& law, [[maybe_unused]] double radius_eff) {
   if constexpr (std::is_invocable_v<decltype(&Law::overlap_breaks), const Law&>)

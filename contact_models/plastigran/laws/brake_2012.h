@@ -9,9 +9,9 @@
 //   overlap_max - overlap_res = 3 F_max/(4 E* a_max)
 //
 // Three conditions determine the constants (derivation: docs/laws/brake_2012.md). Full plasticity
-// begins where the mean pressure of the Hertz contact is P0. Beyond, the contact area grows like
-// the section of a plane with an undeformed sphere. Unloading begins with the contact area of the
-// largest overlap. These conditions are assumptions of this package.
+// begins where the mean pressure of the Hertz contact is P0. In full plasticity, the contact area
+// grows like the section of the undeformed sphere by a plane. Unloading begins with the contact
+// area at the largest overlap. These conditions are assumptions of this package.
 //
 // Near yield, the rebound speed of the published law is up to 5 % higher than the impact speed; the
 // energy guard prevents this. Range: the law is as accurate as the given P0, which must be above

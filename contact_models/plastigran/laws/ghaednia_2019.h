@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // Ghaednia, Brake, Berryhill & Jackson 2019 (J. Tribol. 141:031402): flattening of a sphere with
-// linear hardening by a rigid plane, fitted to finite elements. The force lies between the Hertz
-// force and that of the law of Jackson & Green, which it equals without hardening. C and x as in
-// laws/jackson_green.h, whose f and a are f_p and a_p here:
+// linear hardening by a rigid plane, fitted to finite elements. The force f is a weighted average
+// of the Hertz force and the force f_p of Jackson & Green; without hardening, f = f_p. a_p is the
+// contact radius of Jackson & Green. C and x as in laws/jackson_green.h:
 //
 //   f = f_p + (x^1.5 - f_p) (1 - exp(-3.3 E_t/E))             x > 1.9; Hertz before
 //   a = a_e + (a_p - a_e) e^Y,   a_e^2 = R overlap
@@ -11,8 +11,8 @@
 //       / ((4 - 3 exp(-2 sqrt(E/sigma_Y) E_t/E)) (1 - E_t/E)),  0 without hardening
 //
 // The hardness H in f_p is evaluated at the contact radius a of this law. The equation for Y is
-// that of the package tmdsimpy, which differs from the printed one. Beyond overlap = overlap_c + R,
-// the exponent of E_t/E in Y stays 0.
+// taken from the package tmdsimpy and differs from the printed equation. For overlap > overlap_c +
+// R, the exponent of E_t/E in Y is 0.
 //
 // R and E' belong to the fitted sphere, which fitted_sphere.h defines for two bodies.
 //
@@ -48,7 +48,7 @@ struct Ghaednia2019Curve : JacksonGreenCurve {
   int unloading;
   double hardening;      // E_t/E [-]
   double elastic_share;  // fraction of the Hertz force in f
-  double decay;          // Y divided by its power of E_t/E
+  double decay;          // Y without its factor (E_t/E)^(1 - (overlap - overlap_c)/R)
 
   Ghaednia2019Curve(const MaterialPair& pair, const Parameters& constants)
       : JacksonGreenCurve(pair, {}),

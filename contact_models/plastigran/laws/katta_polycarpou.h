@@ -9,8 +9,8 @@
 //   y = F/F_max,  y (1 - ln(y)/C) = (overlap - overlap_res)/(overlap_max - overlap_res),
 //   C = ln(4 D^2/a_max^2) - k
 //
-// a_res is the half-width of the residual indentation. (The sign in 1/R + 1/R_b is illegible in
-// print. With a minus sign, a_el = a_max and there would be no residual indentation.)
+// a_res is the half-width of the residual indentation. In print, the sign in 1/R + 1/R_b is
+// illegible. A minus sign would give a_el = a_max and no residual indentation, so the sign is plus.
 //
 // Range: length >= 10 R*, contact narrower than 0.6 thicknesses (nu near 0.25).
 #pragma once

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Thornton 1997 (J. Appl. Mech. 64:383): the Hertz pressure is cut off at a limiting contact
+// Thornton 1997 (J. Appl. Mech. 64:383): Hertz contact whose pressure is limited to the contact
 // pressure p_y. The equations are those of Zhang & Vu-Quoc 2002 (Int. J. Impact Eng. 27:317), eqs
-// 4.10-4.11. Unloading begins with the contact area of the largest overlap.
+// 4.10-4.11. Unloading begins with the contact area at the largest overlap.
 //
 //   overlap_y = R* (pi p_y / 2 E*)^2                      yield
 //   F = 4/3 E* sqrt(R*) overlap^(3/2)                     overlap <= overlap_y

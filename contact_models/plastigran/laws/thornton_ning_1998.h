@@ -9,13 +9,13 @@
 //   R_p* = R* P_1/(F_max + 2 (P_c P_1)^(1/2)),  P_1 = 4 E* a_max^3/(3 R*)          unloading
 //   overlap - overlap_p = s^4/R_p* - c s,  overlap_p = a_max^2 (1/R* - 1/R_p*)
 //
-// The force beyond yield is the integral of the paper's dF/d overlap over the contact radius.
-// Without adhesion the law is `thornton`; without yield it is `jkr`. A contact that was pulled off
-// forms again where the flattened surfaces touch, at overlap_p.
+// The force beyond yield is the paper's dF/d(overlap), integrated over the contact radius. Without
+// adhesion the law equals `thornton`; without yield it equals `jkr`. After pull-off, the contact
+// forms again at overlap_p, where the flattened surfaces touch.
 //
-// If a contact yields at s_y^3 < 5/4 c R*, under tension, the published unloading releases more
-// energy than loading took. With the option energy_guard the contact then yields at s_y^3 = 5/4 c
-// R*, as if p_y were that much larger.
+// If a contact yields under tension, at s_y^3 < 5/4 c R*, the published unloading releases more
+// energy than loading took. With the option energy_guard, such a contact yields at s_y^3 = 5/4 c
+// R*, which corresponds to a larger p_y.
 //
 // Range: a << R*; as `thornton`, the force is too low well beyond yield.
 #pragma once
@@ -115,14 +115,15 @@ class ThorntonNing1998 {
     double radius, overlap;  // R_p*, overlap_p
   };
 
-  // Returns the values at yield with `factor` times the yield pressure.
+  // Returns s_y and pi p_y for a yield pressure multiplied by `factor`.
   PLASTIGRAN_DEVICE Yield yield_of(double radius_eff, double factor) const {
     const double x = radius_eff * per_length_ * (factor * factor * factor);
     if (!yields_.covers(x)) return computed_yield(radius_eff, factor * pressure_);
     const auto [root, pressure] = yields_(x);
     return {root_unit_ / factor * root, factor * pressure_ * pressure};
   }
-  // Returns s_y, the root of 2 s^3/R* - pi p_y/E* s - c, and the pressure of the guarded law.
+  // Returns s_y, the root of 2 s^3/R* - pi p_y/E* s - c = 0. With the energy guard, also increases
+  // the pressure if s_y is too small.
   [[gnu::noinline, gnu::cold]] PLASTIGRAN_DEVICE Yield computed_yield(double radius_eff,
                                                                       double pressure) const {
     const double half = 0.25 * contact_.pull() * radius_eff;
@@ -133,8 +134,8 @@ class ThorntonNing1998 {
     return {root, contact_.modulus() * 1.5 * contact_.pull() / root};
   }
 
-  // Returns F + 2 E* c s^3 beyond yield, which is the force of a contact of the same radius without
-  // adhesion. The condition of yield eliminates F_y.
+  // Returns F + 2 E* c s^3 beyond yield: the force of a contact of the same radius without
+  // adhesion. F_y is eliminated by the yield condition.
   PLASTIGRAN_DEVICE double force_without_pull(Yield yield, double s) const {
     const double square = s * s, area = yield.root * yield.root;
     const double pull = 2 * contact_.modulus() * contact_.pull();
@@ -177,7 +178,8 @@ class ThorntonNing1998 {
   JkrContact contact_;
   double pressure_;  // pi p_y
   bool guarded_;
-  // s_y/root_unit_ and the pressure of the guarded law over pi p_y, as functions of R* per_length_.
+  // Table as functions of R* per_length_: s_y/root_unit_, and (pressure of the guarded law)/(pi
+  // p_y).
   typedef Tabulated<2, 10, 20, 96> Yields;
   double root_unit_;   // c E*/(pi p_y)
   double per_length_;  // (pi p_y/E*)^3/c^2

@@ -14,15 +14,15 @@
 //   F = F_max y^(3/2) (1 + g)/(1 + g y^(1/2)),  g = g_1 D,       unloading and reloading
 //   y = (overlap - overlap_res)/(overlap_max - overlap_res)
 //
-// w is p_y/sigma_Y divided by its value at nu = 0.3, because far from yield only sigma_Y matters.
-// h = (p_y/sigma_Y) H/E' with the plastic modulus H; r = a_Y/R. E' and R belong to the fitted
-// sphere, which fitted_sphere.h defines. If a hard sphere indents a flat, the yielding body has no
-// radius: the option `yielding flat` sets r = 0. During unloading, the contact radius is
-// proportional to dF/d(overlap).
+// w is p_y/sigma_Y divided by its value at nu = 0.3. Because of w, the pressure far from yield
+// depends on sigma_Y and not on p_y. h = (p_y/sigma_Y) H/E' with the plastic modulus H; r = a_Y/R.
+// E' and R belong to the fitted sphere, which fitted_sphere.h defines. The option `yielding flat`
+// sets r = 0, because a flat that is indented by a hard sphere has no radius. During unloading, the
+// contact radius is proportional to dF/d(overlap).
 //
-// Restitution is at most 1, because beyond yield F/t^3 and (released energy)/(F^2/a) decrease, and
-// a/t increases. If all three were constant, as in a Hertz contact, the released energy would equal
-// the work of loading.
+// Restitution is at most 1. If F/t^3, (released energy) a/F^2 and a/t were constant beyond yield,
+// as in a Hertz contact, the released energy would equal the work of loading. In this law, the
+// first two decrease and a/t increases.
 #pragma once
 
 #include "plastigran/shared/fitted_sphere.h"
@@ -108,7 +108,8 @@ struct UniversalCurve {
   }
   PLASTIGRAN_DEVICE double steepness(double x) const { return 1 + g_1 * lacking(x); }
 
-  double overlap_range() const {                  // overlap/R* at a/R = 0.1, the end of the fit
+  // returns overlap/R* at a/R = 0.1, the end of the fit
+  double overlap_range() const {
     double left = 0, right = 0.1 / yield_radius;  // bounds of t: a is at least the Hertz radius
     halve(left, right,
           [this](double t) { return yield_radius * (t > 1 ? contact_radius(t * t) : t) >= 0.1; });

@@ -51,10 +51,10 @@ struct VuQuocZhangCurve {
         yield_force_ratio(4.0 / 3.0 * pair.youngs_modulus_eff * yield_radius_ratio *
                           yield_radius_ratio * yield_radius_ratio) {}
 
-  // Returns whether c_a^(3/2) (2 - k_c) >= 2/5 sqrt(1/5) k_c. This condition ensures that the force
-  // of first loading increases and that plastic work never decreases. It is at most a quarter
-  // stricter in c_a than necessary. If the radius of curvature grew without the contact radius,
-  // unloading would release more energy than loading took.
+  // Returns whether c_a^(3/2) (2 - k_c) >= 2/5 sqrt(1/5) k_c. Then the force of first loading
+  // increases with overlap, and plastic work never decreases. The condition is sufficient; the c_a
+  // that it requires is at most a quarter larger than necessary. If the radius of curvature grew
+  // without the contact radius, unloading would release more energy than loading took.
   static bool admissible(const MaterialPair&, const Parameters& constants) {
     const double ca = constants.contact_radius_coefficient, kc = constants.curvature_coefficient;
     return ca * std::sqrt(ca) * (2 - kc) >= 0.4 * std::sqrt(0.2) * kc;
@@ -63,7 +63,7 @@ struct VuQuocZhangCurve {
       "{contact_radius_coefficient}^1.5 * (2 - {curvature_coefficient}) must be at least "
       "0.1789 * {curvature_coefficient}, or the contact might create energy";
 
-  // Return a_p/a_Y, A, C and the derivatives of A and C at s.
+  // The next functions return, at s = a_e/a_Y: a_p/a_Y, A, C, dA/ds, dC/ds.
   PLASTIGRAN_DEVICE double plastic_radius(double s) const { return ca * (s * s * s - 1); }
   PLASTIGRAN_DEVICE double radius(double s) const { return s + plastic_radius(s); }
   PLASTIGRAN_DEVICE double curvature(double s) const { return 1 + kc * (s * s * s - 1); }

@@ -22,8 +22,8 @@ struct Meeting {
   double speed;                 // relative speed [m/s], may be 0
 };
 
-// Returns why the law does not support types that can touch now (`meetings`) or later (`expected`);
-// empty if it supports all.
+// Returns the reason why the law does not support a pair of types that can touch now (`meetings`)
+// or later (`expected`); empty if it supports all pairs.
 template <class Law>
 Complaint refusal(const std::vector<Meeting>& meetings,
                   const std::vector<std::pair<int, int>>& expected, TypePairs<Law>& pairs) {
@@ -39,9 +39,9 @@ Complaint refusal(const std::vector<Meeting>& meetings,
 }
 
 struct ImpactTimes {
-  static constexpr double unknown = 1e300;  // a time [s] that no impact determines
+  static constexpr double unknown = 1e300;  // value of a time [s] if no impact is expected
   double step = unknown;                    // shortest recommended time step [s]
-  double step_speed = 0;                    // speed of the impact with this step [m/s]
+  double step_speed = 0;                    // speed of the impact that has this time step [m/s]
   double hertz = unknown;                   // shortest duration of an elastic impact [s]
   double outside_speed = 0;  // largest speed that exceeds the validity range of the law [m/s]
 };

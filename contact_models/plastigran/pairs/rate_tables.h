@@ -9,13 +9,13 @@
 //
 //   F_k(R*, overlap) = F(k^2 R*, overlap)/k, and likewise for contact radius and energies
 //
-// A law in which only a few constants depend on the strength has respond_stronger(k, radius_eff,
-// overlap, state). In all other laws, a/R or sigma_Y/E matters. For these, two more tables at
-// larger factors k_j are built before a run. The two tables whose k_j are next to k give responses
-// for k/k_j as above. The response is interpolated between them linearly in k^2, because the
-// leading term in a/R is quadratic. The factor of a contact is constant, so the weights (0 to 1)
-// are constant along its path. The force therefore remains the derivative of the energies, and
-// plastic work never decreases. docs/rate_factor.md gives the error.
+// Two other kinds of laws exist. If only a few constants depend on the strength, the law defines
+// respond_stronger(k, radius_eff, overlap, state). If a/R or sigma_Y/E matters, two more tables at
+// larger factors k_j are built before a run. The two tables whose k_j enclose k then give responses
+// for k/k_j, by the equation above. The result is their linear interpolation in k^2, because the
+// leading term in a/R is quadratic. Each contact has a constant factor, so the weights (0 to 1) are
+// constant along its path. Therefore the force remains the derivative of the energies, and plastic
+// work never decreases. docs/rate_factor.md gives the error.
 #pragma once
 
 #include <algorithm>
@@ -48,8 +48,9 @@ template <class Law>
 class RateTables {
  public:
   static constexpr bool interpolates = yields<Law> && !self_similar<Law> && !responds_stronger<Law>;
-  static constexpr double largest_ratio = 1e9;   // largest rate/reference rate [-]
-  static constexpr double largest_factor = 2.5;  // factor of the last table, also used beyond
+  static constexpr double largest_ratio = 1e9;  // largest rate/reference rate [-]
+  // factor of the last table; larger rate factors use this table, too
+  static constexpr double largest_factor = 2.5;
 
   RateTables(const MaterialPair& bodies, const typename Law::Parameters& constants) {
     if (!interpolates || !(bodies.rate_coefficient > 0)) return;
@@ -71,8 +72,8 @@ class RateTables {
   double range(double at_rest, std::size_t k) const { return k ? ranges_[k - 1] : at_rest; }
   double factor(std::size_t k) const { return factors_[k]; }
 
-  // Return the index of the first of the two tables for a factor, and the weight of the second
-  // table.
+  // begin() returns the index of the first of the two tables that enclose a factor;
+  // weight_of_next() returns the weight of the second.
   std::size_t begin(double factor) const { return factor < factors_[1] ? 0 : 1; }
   double weight_of_next(double factor) const {
     const double low = factors_[begin(factor)], high = factors_[begin(factor) + 1];

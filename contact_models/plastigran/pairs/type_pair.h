@@ -32,8 +32,8 @@ struct TypePair {
         constants(constants_),
         rates(bodies_, constants_) {}
 
-  // Returns whether to check a contact: `depth` (overlap/R*) exceeds `checked_to`, which is then
-  // increased, or exceeds the range or `limit`.
+  // Returns whether a contact at `depth` = overlap/R* must be checked, because it exceeds
+  // `checked_to`. If so, increases `checked_to`, so that most later contacts need no check.
   bool deepens(double depth, double limit) {
     if (depth <= checked_to) return false;
     checked_to = 1.1 * depth;

@@ -74,9 +74,9 @@ class TypePairs {
 
   TypePair<Law>& operator()(int type, int other_type) { return *at(type, other_type); }
 
-  // Returns one text line for each pair of types that may touch, with effective constants,
-  // constants and options of the law. Each line begins with `caller`. The text `assumed` follows
-  // constants that the deck does not define.
+  // Returns one line of text for each pair of types that may touch: effective constants, constants
+  // of the law, and options. Each line begins with `caller`. `assumed` is appended to each constant
+  // that the deck does not define.
   std::string describe(const std::string& caller, const Words& words, const Constants& options,
                        const char* assumed) {
     std::ostringstream text;
@@ -122,8 +122,8 @@ class TypePairs {
     return of_types_[static_cast<std::size_t>((type - 1) * type_count_ + other_type - 1)];
   }
 
-  // Returns a complaint about an invalid constant of a body. The value 0 is valid if the other body
-  // has a positive one.
+  // Returns a complaint about an invalid constant of a body. The value 0 is valid here, because the
+  // other body of a pair may define the constant.
   static Complaint wrong_body_constant(const Materials& materials) {
     for (const auto& parameter : parameters_of<Law>) {
       const auto values = materials.constants.find(parameter.name);

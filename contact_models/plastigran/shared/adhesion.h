@@ -9,9 +9,9 @@
 //   elastic energy = E* (8/15 s^10/R*^2 - 4/3 c s^7/R* + c^2 s^4)
 //   surface energy = -1/2 E* c^2 s^4
 //
-// Under displacement control, the contact breaks at the least overlap, -3/4 c s_0 at
-// s_0 = (c R*/4)^(1/3). With u = s/s_0 and x = overlap/(3/4 c s_0), the first equation is
-// u^4 - 4 u = 3 x. The resolvent of Ferrari's solution is z^3 + 12 x z = 16.
+// If the overlap is prescribed, the contact breaks at the least overlap, -3/4 c s_0 with s_0 = (c
+// R*/4)^(1/3). With u = s/s_0 and x = overlap/(3/4 c s_0), the first equation is u^4 - 4 u = 3 x.
+// Ferrari's solution of this quartic has the resolvent cubic z^3 + 12 x z = 16.
 #pragma once
 
 #include <cmath>
@@ -48,10 +48,10 @@ double pull_off_distance([[maybe_unused]] const Law& law, [[maybe_unused]] doubl
   return 0.5 * least * (half + std::sqrt(rest > 0 ? rest : 0));
 }
 
-// Returns the same root as near_pull_off(). With w = x^(1/4) u and e = b/x^(3/4), u^4 - e u = 1.
-// For weak adhesion, e <= 1, a polynomial in e that interpolates u at Chebyshev points has an error
-// of 5e-16. The sum of its terms has many independent parts, which the processor adds at the same
-// time.
+// Returns the same root as near_pull_off(). With w = x^(1/4) u and e = b/x^(3/4), the equation is
+// u^4 - e u = 1. For weak adhesion, e <= 1, u is a polynomial in e that interpolates the root at
+// Chebyshev points with an error of 5e-16. Its terms are grouped so that the processor can add them
+// in parallel.
 PLASTIGRAN_DEVICE inline double adhesive_root(double x, double b) {
   const double scale = std::sqrt(std::sqrt(x)), e = b / x * scale;
   if (!(e <= 1)) return near_pull_off(x, b);
@@ -67,9 +67,9 @@ PLASTIGRAN_DEVICE inline double adhesive_root(double x, double b) {
   return scale * ((low + e_4 * middle) + e_4 * e_4 * (high + e_4 * highest));
 }
 
-// Returns the root q >= 1 of q^3 - q = b, with b >= 0. q is the square root of the contact radius
-// at yield, divided by the same root without adhesion. There b = c R*/(2 a^(3/2)), where a is the
-// contact radius at yield without adhesion.
+// Returns the root q >= 1 of q^3 - q = b, with b >= 0, which gives the contact radius a_y at yield
+// with adhesion: q = (a_y/a)^(1/2) and b = c R*/(2 a^(3/2)), where a is the contact radius at yield
+// without adhesion.
 PLASTIGRAN_DEVICE inline double root_at_yield(double b) {
   if (b < 1) {  // Newton's method from the start of the series in b
     double q = 1 + b * (0.5 - 0.375 * b);
@@ -102,7 +102,7 @@ class JkrContact {
     return -0.75 * pull_ * root_at_pull_off(radius_eff);
   }
 
-  // Returns s at an overlap; below the overlap at pull-off, s at pull-off.
+  // Returns s = a^(1/2) at an overlap; if the overlap is below the pull-off overlap, s at pull-off.
   PLASTIGRAN_DEVICE double root(double radius_eff, double overlap) const {
     return adhesive_root(overlap * radius_eff, pull_ * radius_eff);
   }
@@ -115,7 +115,7 @@ class JkrContact {
   }
 
   PLASTIGRAN_DEVICE Response at(double radius_eff, double s) const {
-    // The reciprocal does not wait for s.
+    // Divide by radius_eff once: the processor can compute the reciprocal before s is known.
     const double square = s * s, fourth = square * square, hertz = fourth * (1 / radius_eff);
     Response response;
     response.force = modulus_ * square * (4.0 / 3.0 * hertz - 2 * pull_ * s);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Base of laws from powder technology: springs with a residual overlap and an adhesive limit. On
-// this limit, overlap_max decreases so that the contact stays on its unloading curve. A law
-// defines:
+// Base of laws with linear or power-law springs, a residual overlap and an adhesive limit
+// (laws/luding_2008.h, laws/edinburgh_2014.h). The adhesive limit is the most attractive force at
+// each overlap. On this limit, overlap_max decreases so that the contact stays on its unloading
+// curve. A law defines:
 //
 //   scale(radius_eff)                   constants that depend on R*
 //   limited(scale, overlap)             overlap_max after first loading to `overlap`

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Constants of one body. The table below is their only declaration: checks, deck properties, the
-// Python module, the web page of the docs and the reference table use it.
+// Constants of one body. body_constants is their only declaration: the checks, deck properties,
+// Python module and reference pages use this table.
 #pragma once
 
 #include <array>

@@ -22,9 +22,8 @@
 //   parameters   table of its constants: name, unit, allowed range
 //   options      table of the choices that its sources leave open
 //   shape = "cylinder"      the bodies are cylinders, not spheres
-//   rate_dependent = true   the force also depends on the overlap rate, positive while closing
-//   [m/s]:
-//                respond(radius_eff, overlap, state, overlap_rate = 0)
+//   rate_dependent = true   the force also depends on the overlap rate, positive while closing:
+//                respond(radius_eff, overlap, state, overlap_rate = 0)   overlap_rate in m/s
 //   yields = false          the law needs no yield strength
 //   hardens = true          the law uses the tangent modulus
 //   indentation = true      a hard sphere indents a flat; otherwise a sphere flattens
@@ -160,7 +159,7 @@ constexpr bool adhesive = false;
 template <class Law>
 constexpr bool adhesive<Law, std::void_t<decltype(Law::adhesive)>> = Law::adhesive;
 
-// Option in a line of a deck that changes another law to this one, with a space before it.
+// Keywords that a deck adds to the line of another law to obtain this law, with a leading space.
 template <class Law, class = void>
 constexpr const char* line_option = "";
 template <class Law>
@@ -186,8 +185,7 @@ PLASTIGRAN_DEVICE Response respond(const Law& law, double radius_eff, double ove
     return law.respond(radius_eff, overlap, state);
 }
 
-// Returns the plastic work of a contact with the history `state` [J]. A law whose state contains
-// the plastic work defines plastic_work_in().
+// Whether a law defines plastic_work_in(), because its state contains the plastic work.
 template <class Law, class = void>
 constexpr bool keeps_plastic_work = false;
 template <class Law>

@@ -10,12 +10,13 @@
 //
 //   E',   R = R* E'/E*,   overlap of this sphere: overlap E*/E'
 //
-// For two equal spheres, the fitted sphere is one of them, with half of the overlap. For a sphere
-// on a rigid plane, it is the sphere itself. A collision of two equal spheres is thus equivalent to
-// a collision of one of them with a rigid plane. The option `reading pair` uses E* and R* instead.
+// For two equal spheres, the fitted sphere is one of the two, with half of the overlap. For a
+// sphere on a rigid plane, the fitted sphere is the sphere itself. Therefore a collision of two
+// equal spheres is equivalent to a collision of one of them with a rigid plane. The option `reading
+// pair` uses E* and R* instead of E' and R.
 //
 // A curve in yield units, x = overlap/overlap_y and f = F/F_y, is the same for the pair and for the
-// fitted sphere. If the fitted sphere has a_y/R, the pair has a_y/R* = (a_y/R) radius_ratio.
+// fitted sphere. Contact radii convert by a/R* = (a/R) radius_ratio.
 #pragma once
 
 #include <algorithm>
@@ -34,9 +35,9 @@ struct FittedSphere {
       : modulus(reading == of_pair ? pair.youngs_modulus_eff : 1 / plane_strain_compliance(pair)),
         radius_ratio(modulus / pair.youngs_modulus_eff) {}
 
-  // Returns overlap_range() of the law. `depth` is the largest overlap/R of the fit. It limits the
-  // overlap of the fitted sphere, and also the part 1 - E*/E' of the overlap on the sphere of the
-  // other body.
+  // Returns overlap_range() of a law that was fitted up to overlap/R = `depth`. Two limits apply:
+  // to the overlap of the fitted sphere, and to the fraction 1 - E*/E' of the overlap, which the
+  // other body takes.
   double overlap_range(double depth) const {
     const double others_share = 1 - 1 / radius_ratio;
     return std::min(std::min(depth, widest_overlap_range) * radius_ratio * radius_ratio,

@@ -15,10 +15,10 @@
 //                p = min(1.5 + ln(s)/sqrt(3), 2.4)
 //   unloading    a^2 = 4 q R_e with the radius R_e of the unloaded surface, larger than R
 //
-// The overlap of a line contact depends on its reference point: the far side of the body, at the
-// distance D. This causes the logarithm. For large a, the logarithmic formula is invalid. Beyond
-// ln(4 D^2/a^2) - k = 2 (a = 0.6 D for nu near 0.25), which is out of range, the load follows the
-// tangent of the curve.
+// The overlap of a line contact depends on its reference point, which is the far side of the body,
+// at the distance D. This distance enters the logarithm. For large a, the logarithmic formula is
+// invalid. If ln(4 D^2/a^2) - k < 2 (a > 0.6 D for nu near 0.25), outside the validity range, the
+// load follows the tangent of the curve.
 //
 // The laws differ in the unloading (tables/line_contact.h).
 #pragma once
@@ -43,7 +43,7 @@ PLASTIGRAN_DEVICE inline double lambert_root(double t) {
   return w;
 }
 
-// Returns elastic load/overlap at x = overlap/reach: 1/w with w - ln w = ln(1/x).
+// Returns (elastic load)/overlap at x = overlap/reach: 1/w with w - ln w = ln(1/x).
 PLASTIGRAN_DEVICE inline double load_share(double x) {
   return 1 / lambert_root(std::max(1.25, -std::log(x)));
 }

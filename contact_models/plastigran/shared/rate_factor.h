@@ -5,12 +5,12 @@
 //
 //   factor = 1 + C ln(rate/reference_rate) above the reference rate, 1 up to it
 //
-// One rate represents a whole impact: the closing speed v at first touch divided by the radius R.
-// The mean strain of an indentation is 0.2 a/R (Tabor, The Hardness of Metals, 1951) and develops
-// in a time of about a^2/(2 R v). The strain rate 0.4 v/a thus equals v/R at a = 0.4 R. At a = 0.04
-// R it is ten times larger, which changes the factor by 2.3 C. R and v belong to the fitted sphere
-// (shared/fitted_sphere.h): R = R* E'/E*, v = speed E*/E'. For two equal spheres, R is their radius
-// and v is half of their closing speed.
+// One strain rate represents a whole impact: the closing speed v at first touch divided by the
+// radius R. Reason: the mean strain of an indentation is 0.2 a/R (Tabor, The Hardness of Metals,
+// 1951) and develops in a time of about a^2/(2 R v). The strain rate is thus 0.4 v/a, which equals
+// v/R at a = 0.4 R. At a = 0.04 R the strain rate is ten times larger, which changes the factor by
+// 2.3 C. R and v belong to the fitted sphere (shared/fitted_sphere.h): R = R* E'/E*, v = speed
+// E*/E'. For two equal spheres, R is their radius and v is half of their closing speed.
 #pragma once
 
 #include <cmath>

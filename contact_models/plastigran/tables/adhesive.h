@@ -1,25 +1,27 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Adhesion for a law that is elastic first: the adhesive contact of Johnson, Kendall & Roberts 1971
-// (shared/adhesion.h), generalized to any relation of force F_1 and overlap_1 without adhesion
-// (Maugis 2000, Contact, Adhesion and Rupture of Elastic Solids, ch. 4). S is the slope of
-// unloading and c = (2 pi Gamma/E*)^(1/2):
+// Adhesion for a law whose contacts are elastic at first touch. It generalizes the adhesive contact
+// of Johnson, Kendall & Roberts 1971 (JKR, shared/adhesion.h) to a law with any force F_1 at the
+// overlap overlap_1 (Maugis 2000, Contact, Adhesion and Rupture of Elastic Solids, ch. 4). The
+// index 1 marks values without adhesion. S is the slope dF_1/d(overlap_1) of unloading, U_1 the
+// elastic energy, and c = (2 pi Gamma/E*)^(1/2):
 //
 //   overlap = overlap_1 - D,   F = F_1 - S D,   D = c (R* overlap_1)^(1/4)        first loading
 //   D^2/S constant                                                               unloading
 //   elastic + surface energy = U_1 - F_1 D + S D^2/4,   surface energy = -S D^2/4
 //
-// Up to yield this is JKR, and S D^2/4 = pi Gamma a^2. First loading has the relation of overlap
-// and (R* overlap_1)^(1/2) that JKR has for the contact radius, as in Thornton & Ning 1998.
+// Up to yield this is JKR, and S D^2/4 = pi Gamma a^2. Beyond yield, first loading keeps the JKR
+// relation between the overlap and the radius (R* overlap_1)^(1/2), as in Thornton & Ning 1998.
 //
-// Yield (Thornton & Ning 1998): adhesion lowers the pressure in the center of the contact by
-// p_c = (2 Gamma E*/(pi a))^(1/2). So the contact yields at a_y with p_y + p_c = 2 E* a_y/(pi R*),
-// where p_y is the pressure at which the law without adhesion yields. The law then has
-// k = 1 + p_c/p_y times its yield strength, F_k(R*, overlap) = F(k^2 R*, overlap)/k. The contact
-// stores k, which depends on R* only.
+// Yield (Thornton & Ning 1998): adhesion lowers the pressure in the center of the contact by p_c =
+// (2 Gamma E*/(pi a))^(1/2). The contact therefore yields at the radius a_y at which p_y + p_c = 2
+// E* a_y/(pi R*), where p_y is the yield pressure of the law without adhesion. The law is then
+// evaluated with k = 1 + p_c/p_y times its yield strength: F_k(R*, overlap) = F(k^2 R*, overlap)/k.
+// The contact stores k, which depends on R* only.
 //
-// In yield units of the stronger law, x = overlap_1/overlap_y, D = B d with d = x^(1/4), and
-// B = c R*/a_y^(3/2) = 2 (1 - 1/k). adhesive_work.h computes the work of first loading.
+// In yield units of the strengthened law, x = overlap_1/overlap_y, D = B d overlap_y with d =
+// x^(1/4). B = c R*/a_y^(3/2) = 2 (1 - 1/k) measures adhesion. adhesive_work.h computes the work of
+// first loading.
 #pragma once
 
 #include <algorithm>
@@ -119,8 +121,8 @@ class Adhesive {
     return pull_off_force(peak_of(radius_eff, state));
   }
 
-  // Returns the sum of elastic and surface energy of a contact that has just formed, or that is
-  // about to break [J].
+  // Returns elastic energy plus surface energy [J] of a contact that has just formed (`forms`) or
+  // is about to break.
   double energy_at_end(double radius_eff, const State& before, bool forms) const {
     if (before.overlap_max == 0) return contact_.energy_at_end(radius_eff, forms);
     const Peak peak = peak_of(radius_eff, before);
@@ -186,8 +188,7 @@ class Adhesive {
     return loaded(x);
   }
 
-  // Returns k, the ratio of a_y to its value without adhesion. k is at least the value that belongs
-  // to the largest B.
+  // Returns k. Its lower limit belongs to the largest B that the work of loading allows.
   [[gnu::noinline, gnu::cold]] PLASTIGRAN_DEVICE double strength_factor(double factor,
                                                                         double radius_eff) const {
     const double b = onset_ / std::sqrt(radius_eff * factor * factor * factor);
@@ -203,7 +204,7 @@ class Adhesive {
   PLASTIGRAN_DEVICE double yield_radius(double radius_eff, const State& state) const {
     return state.strength_factor * yield_radius_ratio_ * radius_eff;
   }
-  // Returns the number B of a contact.
+  // Returns B, the measure of adhesion of a contact.
   PLASTIGRAN_DEVICE double number(double radius_eff, const State& state) const {
     const double k = state.strength_factor;
     return 2 * onset_ / std::sqrt(radius_eff * k * k * k);
@@ -212,7 +213,8 @@ class Adhesive {
   PLASTIGRAN_DEVICE double pull_of(double radius_eff, double overlap_max) const {
     return contact_.pull() * std::sqrt(std::sqrt(radius_eff * overlap_max));
   }
-  // Returns the response of first loading to overlap_1 = `without`, where JKR has the root s.
+  // Returns the response of first loading to overlap_1 = `without`; s is the JKR root (contact
+  // radius)^(1/2).
   PLASTIGRAN_DEVICE Response loading(double radius_eff, double s, double without,
                                      State& state) const {
     state.in_contact = 1;
@@ -245,8 +247,8 @@ class Adhesive {
             shape_at_x};
   }
 
-  // Returns the pull-off force. It is exact if unloading is like Hertz. Otherwise it is computed at
-  // the w of such unloading, and is up to 8 % too small.
+  // Returns the pull-off force. It is exact if the unloading force is a power 3/2 of overlap. Other
+  // shapes use the same w at pull-off, and the result is up to 8 % too small.
   PLASTIGRAN_DEVICE double pull_off_force(const Peak& peak) const {
     const double b = peak.pull * peak.inverse_recovery;
     if constexpr (Rebound::is_hertzian) return 0.375 * peak.slope * peak.pull * b;
@@ -255,8 +257,8 @@ class Adhesive {
     return peak.slope * peak.pull * (root * root * root) - peak.force * at.force;
   }
 
-  // Point of unloading at w, where y = w^4 = (overlap_1 - overlap_res)/(overlap_max - overlap_res).
-  // Force and square root of the slope are relative to those at the largest overlap.
+  // Point of the unloading curve at w, where y = w^4 = (overlap_1 - overlap_res)/(overlap_max -
+  // overlap_res). Force and root of the slope are divided by their values at the largest overlap.
   struct Point {
     double w, force, root_of_slope;
   };
@@ -267,14 +269,15 @@ class Adhesive {
     return {w, at.force, at.root_of_slope};
   }
 
-  // Returns the point of unloading at an overlap. `beyond` is y with the overlap instead of
-  // overlap_1. w is the largest root of w^4 - b S^(1/2)/S_max^(1/2) = beyond; 0 if there is none,
-  // because the contact breaks.
+  // Returns the point of unloading at an overlap. `beyond` is (overlap - overlap_res)/(overlap_max
+  // - overlap_res). w is the largest root of w^4 - b S^(1/2)/S_max^(1/2) = beyond. If there is no
+  // root, the contact breaks, and w is 0.
   PLASTIGRAN_DEVICE Point point(const Peak& peak, double beyond) const {
     const double b = peak.pull * peak.inverse_recovery;
     if constexpr (Rebound::is_hertzian) {
       const double w = adhesive_root(beyond, b);
-      // At the least w there is no root below the least value.
+      // At pull-off, adhesive_root() returns the least w also if no root exists: check that one
+      // exists.
       const bool joined =
           beyond > 0 || 4 * w * w * w > b * (1 + 1e-7) || w * (w * w * w - b) <= beyond;
       return point_at(peak, joined ? w : 0);
@@ -282,8 +285,8 @@ class Adhesive {
       return point_of_any_shape(peak, b, beyond);
     }
   }
-  // Solves the equation for y by Newton's method, because it is nearly linear in y for weak
-  // adhesion. The start is the series of the solution for a slope that is a power of y.
+  // Solves the equation in y by Newton's method, because for weak adhesion the equation is nearly
+  // linear in y. The start value is a series, valid for a slope that is a power of y.
   PLASTIGRAN_DEVICE Point point_of_any_shape(const Peak& peak, double b, double beyond) const {
     const double start = std::sqrt(std::sqrt(beyond));
     ShapeOfUnloading at = work_.rebound().shape_at(start, peak.shape);
@@ -295,8 +298,8 @@ class Adhesive {
       const double y = w * w * (w * w), pulled = b * at.root_of_slope, power = 0.25 * at.exponent;
       const double change = (beyond + pulled - y) / (y - power * pulled);
       w *= 1 + change * (0.25 - change * (0.09375 - 0.0546875 * change));
-      // The relative error of y is less than a tenth of this limit. After such a small change, two
-      // terms of a series give the shape.
+      // At this limit, the relative error of y is less than 1e-12. After such a small last change,
+      // two terms of a series give the force and the slope.
       if (!(e * change * change > 1e-11)) {
         const double root =
             at.root_of_slope * (1 + power * change * (1 + 0.5 * (power - 1) * change));
@@ -311,9 +314,9 @@ class Adhesive {
     const double w = refined_root(peak.shape, b, beyond, adhesive_root(beyond, b));
     return point_at(peak, w > 0 ? w : refined_root(peak.shape, b, beyond, 1));
   }
-  // Improves the root by Newton's method. The function is convex where it rises, so w decreases in
-  // all steps except the first ones. After a step of 1e-7 the error is about 1e-14, because each
-  // step squares the error.
+  // Improves the root w by Newton's method. The function is convex where it rises, so after the
+  // first steps w only decreases. Each step squares the error: after a step of 1e-7 it is about
+  // 1e-14.
   PLASTIGRAN_DEVICE double refined_root(double shape_at_x, double b, double beyond,
                                         double w) const {
     for (int k = 0; k < 100; ++k) {

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Work of first loading of a law with adhesion (adhesive.h), in yield units: x =
-// overlap_1/overlap_y, and the number B is the strength of adhesion.
+// Work of first loading of a law with adhesion, in yield units: x = overlap_1/overlap_y. The number
+// B measures adhesion (adhesive.h).
 //
 // The work of first loading and the energy at the largest overlap are polynomials in B, whose
 // coefficients are tables of x. Plastic work is the difference of the two.
 //
 // For a large B, plastic work would decrease with x, as in the law of Thornton & Ning. The
-// constructor finds the largest B, up to 0.8, for which plastic work increases. A contact has at
-// most this B, because its strength factor k is at least the one that belongs to this B. If the
-// energy guard of a law keeps its plastic work constant in some interval of x, there is no such B.
-// In this interval, the slope of unloading is then larger by the factor 1 + B eta(x).
+// constructor finds the largest B, up to 0.8, for which plastic work increases. Contacts are
+// limited to this B by a lower limit of their strength factor k. If the energy guard of a law keeps
+// plastic work constant in some interval of x, even a small B makes it decrease. In this interval,
+// the slope of unloading is therefore larger by the factor 1 + B eta(x).
 #pragma once
 
 #include <algorithm>
@@ -45,7 +45,8 @@ struct AfterLoading {
   double force, slope, contact_radius, recovery, shape, energy;
 };
 
-// The functions take the law of the constructor as argument, so that the object can be copied.
+// The functions take the law as an argument instead of storing a pointer, so that the object can be
+// copied.
 template <class Law>
 class WorkOfLoading {
  public:
@@ -59,7 +60,7 @@ class WorkOfLoading {
   // Returns the unloading of the law.
   PLASTIGRAN_DEVICE const Rebound& rebound() const { return rebound_; }
 
-  // Returns the largest B that a contact has.
+  // Returns the largest B that a contact may have.
   PLASTIGRAN_DEVICE double largest_number() const { return largest_number_; }
 
   PLASTIGRAN_DEVICE AfterLoading after_loading(const Law& law, double x) const {
@@ -90,7 +91,7 @@ class WorkOfLoading {
  private:
   typedef std::array<double, 4> Works;  // w_0 to w_3 of the work w_0 - w_1 B + w_2 B^2 + w_3 B^3
 
-  // Returns the derivatives of the coefficients by x.
+  // Returns the derivatives of w_0 to w_3 with respect to x.
   PLASTIGRAN_DEVICE Works powers(const Law& law, double x) const {
     const AfterLoading at = after_loading(law, x);
     const double d = std::sqrt(std::sqrt(x)), slope_of_d = 0.25 * d / x,
@@ -131,7 +132,7 @@ class WorkOfLoading {
   bool falls(const Law& law, double from, double to, double B) const {
     return plastic_work(law, to, B) < plastic_work(law, from, B) - 1e-13 * (*this)(law, to, 0);
   }
-  // Returns whether plastic work increases with x for four values up to B.
+  // Returns whether plastic work increases with x, tested at four fractions of B.
   bool grows(const Law& law, double B) const {
     const std::vector<double> all = points(law);
     for (const double part : {0.1, 0.4, 0.7, 1.0})
@@ -158,8 +159,8 @@ class WorkOfLoading {
     return all;
   }
 
-  // Finds the largest B. If it would be below 0.4 for a law with an energy guard, finds the least
-  // additional loss with which B = 0.4 is possible.
+  // Finds the largest B. If it would be below 0.4 for a law with an energy guard, finds the
+  // smallest additional loss that makes B = 0.4 possible.
   void guard(const Law& law) {
     const auto lower_to = [&](double least) {
       for (largest_number_ = 0.8; largest_number_ > least; largest_number_ *= 0.95)
@@ -197,8 +198,8 @@ class WorkOfLoading {
     }
   }
 
-  // An interval of x in which the contact loses the fraction lost_ B of the work of loading. eta is
-  // the loss per B, divided by the elastic energy.
+  // Interval of x in which the contact loses the fraction lost_ B of the work of loading. eta is
+  // this loss per unit B, divided by the elastic energy.
   struct Interval {
     double begin = 0, end = 0;
   };

@@ -70,8 +70,8 @@ class CurveTable : public Curve, public LargestOverlap {
       if (!(state.overlap_max > 0)) return {};  // overlap is NaN
       return {0, 0, 0, plastic_work(radius_eff, overlap_y, state.overlap_max)};
     }
-    // Keep two branches: in unloading, the processor can then start with the stored overlap_max
-    // before the current overlap is loaded.
+    // Keep two branches. During unloading, the table look-up needs only the stored overlap_max, so
+    // the processor can start it before the current overlap is known.
     if (overlap > state.overlap_max) {
       state.overlap_max = overlap;
       return unloading_.at_largest(peak(radius_eff, overlap_y, overlap));
@@ -81,8 +81,8 @@ class CurveTable : public Curve, public LargestOverlap {
     return unloading_.at(reached, y);
   }
 
-  // Interface for adhesive.h: the value of overlap/R* at which the formula of the elastic contact
-  // ends, and the contact after loading to x > 1 times this overlap.
+  // Interface for adhesive.h. elastic_range() returns overlap/R* at the end of the elastic formula.
+  // after_loading(x) returns the contact loaded to x > 1 times this overlap.
   double elastic_range() const { return Curve::breaks[0] * overlap_ratio_; }
   PLASTIGRAN_DEVICE Peak after_loading(double x) const {
     const double unit = Curve::breaks[0], root = std::sqrt(unit);
@@ -180,9 +180,9 @@ class CurveTable : public Curve, public LargestOverlap {
   Tabulated<quantities> loaded_;
 };
 
-// Table of a law whose published curves release more energy than loading took, near yield or where
-// the force jumps up. The option energy_guard (energy_guard.h), on by default, then reduces the
-// recovered overlap.
+// Table of a law whose published curves release more energy than loading took, either near yield or
+// where the force jumps up. The option energy_guard (energy_guard.h), on by default, reduces the
+// recovered overlap of such a law.
 template <class Curve, class Unloading>
 class GuardedTable : public CurveTable<Curve, Unloading> {
  public:

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Unloading of an elliptical indenter from a bed of springs (laws/mdr.h), for curve_table.h. With
-// y, the depth of the indenter divided by half its height:
+// Unloading of an elliptical indenter from a bed of springs (laws/mdr.h), for curve_table.h. y is
+// the depth of the indenter divided by half its height:
 //
 //   F = F_max h(y),   h = 2/pi (acos(1-y) - (1-y) c),   a = a_max c,   c = sqrt(2y - y^2)
 //   integral of h = 2/pi (c - (1-y) acos(1-y) - c^3/3)
 //
-// Beyond y = 1 the indenter is a flat punch: h = 1 + 4/pi (y-1), c = 1. Near y = 0 the closed forms
-// lose digits by cancellation. A series is used there, because h is 4/pi times the integral of
-// sqrt(2y) sqrt(1 - y/2). The table contains h/y^(3/2) and the integral of h divided by y^(5/2),
-// which are smooth functions. Below yield, F_max = pi E' R^2, a_max = R and y = overlap/(2R).
+// Beyond y = 1 the indenter is a flat punch: h = 1 + 4/pi (y-1), c = 1. Near y = 0, the closed
+// forms lose digits by cancellation. There, the series of 4/pi times the integral of sqrt(2y)
+// sqrt(1 - y/2) gives h. The table contains h/y^(3/2) and (integral of h)/y^(5/2), because these
+// are smooth functions. Below yield, F_max = pi E' R^2, a_max = R and y = overlap/(2R).
 #pragma once
 
 #include <array>
@@ -71,7 +71,7 @@ class EllipticalUnloading {
   }
 
  private:
-  // Returns h/y^(3/2), and the integral of h divided by y^(5/2).
+  // h/y^(3/2), and the integral of h divided by y^(5/2).
   typedef std::array<double, 2> Shares;
   PLASTIGRAN_DEVICE Shares shares(double y) const {
     return shares_.covers(1 + y) ? shares_(1 + y) : computed_shares(y);

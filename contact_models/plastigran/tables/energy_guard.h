@@ -3,10 +3,10 @@
 // Energy guard. Some published curves release more energy than loading took. In that case, the
 // guard reduces the recovered overlap, so that plastic work never decreases during loading.
 //
-// The search evaluates the published plastic work at increasing overlaps from yield. An interval
-// begins where the plastic work starts to decrease and ends where it reaches the earlier value
-// again. Decreases are likely just beyond a break of the formula. The distance of the points from
-// the last break therefore starts at 1e-9 of the break and grows by a quarter per point, up to
+// The search follows the published plastic work from yield to larger overlaps. An interval begins
+// where plastic work starts to decrease, and ends where it is again as large as before. A decrease
+// is likely just beyond an overlap at which the formula changes. The distance of the search points
+// from this overlap therefore starts at 1e-9 of the overlap and grows by a quarter per point, up to
 // steps of 2 %.
 #pragma once
 
@@ -20,8 +20,8 @@
 
 namespace plastigran {
 
-// Intervals: at most one per break, one on the smooth curve from yield, and one beyond the last
-// break.
+// There are at most breaks + 2 intervals: one per break, one on the smooth curve from yield, and
+// one beyond the last break.
 template <std::size_t breaks>
 class EnergyGuard {
  public:

@@ -7,10 +7,10 @@
 //   straight    whether unloading is a straight line; otherwise it is the elastic curve of a
 //               cylinder of radius R_e, stretched to `recovery`. flattening = R/R_e
 //
-// Just above yield, the published unloading releases more energy than loading took, because loading
-// beyond yield omits the logarithm: its slope jumps up by a factor of about 3. The energy guard
-// limits the released energy to the work of loading. At larger overlaps, where the published
-// unloading releases less, plastic work only increases.
+// Just above yield, the published unloading releases more energy than loading took. The reason is
+// that loading beyond yield omits the logarithm, so that its slope jumps up by a factor of about 3.
+// The energy guard limits the released energy to the work of loading. At larger overlaps, plastic
+// work increases without the guard.
 #pragma once
 
 #include <algorithm>

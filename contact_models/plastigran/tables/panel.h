@@ -46,7 +46,7 @@ struct Interpolation {
 template <std::size_t count, std::size_t terms>
 struct Panel {
   typedef std::array<double, count> Values;
-  // Functions are packed in pairs for vector instructions; a single function is not packed.
+  // Values are packed in pairs for vector instructions, unless there is only one function.
   typedef std::conditional_t<count == 1, double, Two> Pack;
   static constexpr std::size_t packs = (count + 1) / 2;
   typedef std::array<Pack, packs> Row;
@@ -63,7 +63,7 @@ struct Panel {
   }
 
   // Interpolates the functions at the Chebyshev points of [begin, right]. Returns the largest error
-  // at the check points between them, divided by the allowed error.
+  // at four check points divided by the allowed error, or infinity if it exceeds the allowed error.
   template <class Functions>
   double fit(double begin, double right, const Functions& functions,
              const Interpolation<terms>& through) {

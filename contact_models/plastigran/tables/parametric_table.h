@@ -24,8 +24,8 @@
 
 namespace plastigran {
 
-// Unloading for adhesive.h: as in the law of Hertz, but the plastic part of the contact radius is
-// constant. `shape` is the elastic part of the largest contact radius.
+// Unloading for adhesive.h: Hertz unloading, except that the plastic part of the contact radius
+// stays constant. `shape` is the elastic fraction of the largest contact radius.
 struct PlasticRadiusStays : PowerOfOverlap<void> {
   static constexpr bool has_shape = true;
 
@@ -108,10 +108,10 @@ class ParametricTable : public Curve {
     return radius_eff * radius_eff * Curve::yield_force_ratio;
   }
 
-  // Returns the root s >= 1 of g(s) = A^2 - x C for x >= 1 by Newton's method, from a start at or
-  // left of the root. For admissible constants, g is negative left of the root, and increasing and
-  // convex right of it. Iterates right of the root therefore decrease monotonically; left of the
-  // root, no step is longer than s.
+  // Returns the root s >= 1 of g(s) = A^2 - x C for x >= 1 by Newton's method; `start` must not
+  // exceed the root. For admissible constants, g is negative left of the root, and increasing and
+  // convex right of it. Right of the root, the iterates therefore decrease monotonically. Left of
+  // the root, a step is at most s.
   PLASTIGRAN_DEVICE double elastic_radius(double x, double start) const {
     double s = start;
     for (int iteration = 0; iteration < 200; ++iteration) {
@@ -150,7 +150,8 @@ class ParametricTable : public Curve {
     return elastic_radius(x, start);
   }
 
-  // Relative tolerance of A^2/C: s in the table has an error of 3e-14, and A grows at most as s^3.
+  // Relative tolerance of A^2/C: s in the table has a relative error of 3e-14, and A grows at most
+  // as s^3.
   static constexpr double rounding = 2e-13;
 
   // Returns overlap/overlap_Y d(F/P_Y)/ds.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Base of laws that unload along a power of the remaining overlap, F = F_max y^n. n is 3/2 unless
-// the curve (curve_table.h) has a function exponent(x). A curve may also define overlap_range(),
-// its largest valid overlap/R*. A law is then declared as
+// Base of laws that unload along F = F_max y^n, y = (overlap - overlap_res)/(overlap_max -
+// overlap_res). The exponent n is 3/2 unless the curve (curve_table.h) defines exponent(x). A curve
+// may also define overlap_range(), its largest valid overlap/R*. Example of a law:
 //
 //   using KogutEtsion = PowerUnloading<KogutEtsionCurve>;
 #pragma once
@@ -17,7 +17,8 @@ class PowerUnloading : public GuardedTable<Curve, PowerOfOverlap<Curve>> {
  public:
   using GuardedTable<Curve, PowerOfOverlap<Curve>>::GuardedTable;
 
-  // Returns the overlaps/R* where the formula changes and the force of first loading may jump.
+  // Returns the values of overlap/R* at which the formula changes, so the force of first loading
+  // may jump.
   auto overlap_breaks() const {
     auto overlaps = Curve::breaks;
     for (double& overlap : overlaps)

@@ -42,7 +42,8 @@ class Tabulated {
   Tabulated() = default;
 
   // Builds the table from `begin` > 0. The table ends after `octaves` octaves, or when all panels
-  // are used. `functions(x)` returns Values. The optional positions `kinks` shorten the bisection.
+  // are used. `functions(x)` returns Values. `kinks`: optional positions of known kinks, which
+  // shorten the search for panel ends.
   template <class Functions, class Kinks = std::array<double, 0>>
   Tabulated(double begin, const Functions& functions, const Kinks& kinks = {})
       : begin_(begin), end_(begin) {
@@ -104,8 +105,9 @@ class Tabulated {
     return x;
   }
 
-  // Adds a panel that begins at end_, with at most `width` buckets; the panel is shorter if the
-  // functions have a kink. Returns the number of buckets to try next; 0 if no panel is possible.
+  // Fits a panel from end_ over at most `width` buckets; it is shorter if the functions have a
+  // kink. Moves end_ to the end of the panel. Returns the number of buckets to try for the next
+  // panel, or 0 if the functions are not finite.
   template <class Functions, class Kinks>
   std::size_t add(Panel& panel, std::size_t width, const Functions& functions, const Kinks& kinks,
                   const Interpolation<terms>& through) {

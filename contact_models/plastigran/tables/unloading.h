@@ -34,12 +34,13 @@ struct Peak {
   double plastic_work;
 };
 
-// Shape of the unloading curve at y = w^4, from which adhesive.h computes adhesion: force and
-// square root of the slope, relative to those at the largest overlap, and the logarithmic
-// derivative d ln(root_of_slope)/d ln(w).
+// Point of an unloading curve at y = w^4, from which adhesive.h computes adhesion. `force` and
+// `root_of_slope` (square root of dF/d(overlap)) are divided by their values at the largest
+// overlap. `exponent` is d ln(root_of_slope)/d ln(w).
 //
-// A shape also has the functions contact_radius_at and energy_at: contact radius relative to that
-// at the largest overlap, and elastic energy relative to F_max (overlap_max - overlap_res).
+// A class of unloading also has two functions: contact_radius_at() returns the contact radius
+// divided by its value at the largest overlap, and energy_at() the elastic energy divided by F_max
+// (overlap_max - overlap_res).
 struct ShapeOfUnloading {
   double force, root_of_slope, exponent;
 };
@@ -138,8 +139,8 @@ class SteepeningUnloading : public HertzBelowYield {
 
   PLASTIGRAN_DEVICE Response at(const Peak& peak, double left) const {
     const double y = left > 0 ? left : 0, root = std::sqrt(y), g = peak.shape - 1;
-    // `steeper` and `wider` are exactly 1 at the largest overlap, so that first loading continues
-    // without a jump.
+    // `steeper` and `wider` must be exactly 1 at the largest overlap, so that first loading
+    // continues without a jump.
     const double steeper = peak.shape / (1 + g * root);
     const double wider = steeper * steeper * ((3 + 2 * g * root) / (3 + 2 * g));
     return scaled(peak, root, y * root * steeper, root * wider);
