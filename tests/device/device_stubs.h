@@ -21,6 +21,7 @@ __device__ double expm1(double);
 __device__ double hypot(double, double);
 __device__ double log(double);
 __device__ double pow(double, double);
+__device__ double sin(double);
 __device__ double sqrt(double);
 __device__ void* memcpy(void*, const void*, __SIZE_TYPE__);
 }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Every law in a kernel: a table that the host built, read on the device. `./run lint` compiles
-// this file with clang for the device, without generating code.
+// Every normal and tangential law in a kernel: a table that the host built, read on the device.
+// `./run lint` compiles this file with clang for the device, without generating code.
 #include "device_stubs.h"
 // The stubs come before the laws.
 #include "all_laws.h"
+#include "plastigran/friction/incremental.h"
+#include "plastigran/friction/partial_slip.h"
 #include "plastigran/tables/adhesive.h"
 
 namespace plastigran {
@@ -19,12 +21,21 @@ __global__ void force_loop(const Law table, const double* radius, const double* 
   }
 }
 
+template <class Law>
+__global__ void friction_loop(const Law law, const NormalLoad* loads,
+                              const TangentialMotion* motions, typename Law::State* states,
+                              TangentialResponse* responses, int count) {
+  for (int k = 0; k < count; ++k) responses[k] = law.respond(loads[k], motions[k], states[k]);
+}
+
 template <class... Laws>
 void every_law() {
   (static_cast<void>(&force_loop<Laws>), ...);
 }
 void instances() {
   every_law<ALL_LAWS, Adhesive<Thornton>, Adhesive<Universal>, Adhesive<KogutEtsion>>();
+  static_cast<void>(&friction_loop<Incremental>);
+  static_cast<void>(&friction_loop<PartialSlip<>>);
 }
 
 }  // namespace plastigran
