@@ -37,7 +37,9 @@ WORK = PROJECT / "build" / "bench" / "peers"
 RESULTS = PROJECT / "results" / "bench"
 REFERENCE, CONTROL = "hertz", "hertz again"
 OURS = ("thornton", "vu_quoc_zhang", "kogut_etsion", "universal")
-PLUGIN = ("LAMMPS thornton", "LAMMPS universal")
+PLUGIN = tuple(
+    f"LAMMPS {law}{ledger}" for law in ("thornton", "universal") for ledger in ("", " with energy")
+)
 #: Limits of the time of our laws, divided by the time of a law of LAMMPS: of the whole loop in
 #: LIGGGHTS, and of the pair forces in LAMMPS.
 TARGETS = (
@@ -92,7 +94,8 @@ CONTENDERS = {
     ),
     **{
         law: Contender(
-            f"{law.removeprefix('LAMMPS ')} 7e10 0.3 yield_strength {{strength}} {FRICTION}",
+            f"{law.split()[1]} 7e10 0.3 yield_strength {{strength}} {FRICTION}",
+            "energy.lammps" if law.endswith("with energy") else "",
             style="granular/plastigran",
         )
         for law in PLUGIN

@@ -183,7 +183,8 @@ void PairStyle::expect_impacts() {
 
 void PairStyle::compute(int eflag, int vflag) {
   begin(lmp);
-  for (int k = 0; k < nmodels; ++k) LoadModel::enable(models_list[k]);
+  if (balance_)
+    for (int k = 0; k < nmodels; ++k) LoadModel::enable(models_list[k]);
   PairGranular::compute(eflag, vflag);
   end();
   if (EnergyBalance::of(lmp) && force->newton_pair) comm->reverse_comm(this);
