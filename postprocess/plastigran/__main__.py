@@ -11,7 +11,7 @@ def start() -> int:
     """Run the command and return its exit code, also if Ctrl-C interrupts the import of modules."""
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:
-        from plastigran.cli import main  # imported here, because the import takes a second
+        from plastigran.cli import main  # slow; imported here, so that Ctrl-C is handled
 
         return main()
     except KeyboardInterrupt:

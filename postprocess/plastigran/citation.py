@@ -41,7 +41,7 @@ def cite(names: Iterable[str] | str = ()) -> str:
 
     Returns:
         The entry of the software and the entries of the sources, each once. Comment lines before
-        them name the laws whose only source is this software.
+        them name the laws that only this software describes.
 
     Raises:
         ValueError: A name has no entry; the message lists those that have one.

@@ -31,7 +31,7 @@ class RangeWarning(UserWarning):
 
 
 class Contact:
-    """Contact of two bodies with a law.
+    """Contact of two bodies that follows a contact law.
 
     Args:
         law: Name of the law.
@@ -46,8 +46,8 @@ class Contact:
         tangential: Name of the tangential law, for `oblique_impact`.
         rings: Number of rings of `partial_slip`, at most 8.
         constants: Constants and options of the law. You can omit constants that the material of a
-            defines (the material of b if a is rigid). With `surface_energy`, a law that is elastic
-            before yield has the adhesion of JKR, as with `adhesion jkr` in a deck.
+            defines (the material of b if a is rigid). If `surface_energy` is given, a law that is
+            elastic before yield includes JKR adhesion, as with `adhesion jkr` in a deck.
 
     Attributes:
         law: Law between the bodies, an instance of a class of `plastigran.laws.LAWS`.
@@ -153,8 +153,8 @@ class Contact:
         For spheres, it is R* (pi p_y/(2 E*))^2, where the largest Hertzian pressure equals the
         contact yield pressure p_y of the weaker body (Johnson, Contact Mechanics, 1985, sec. 6.1).
         For cylinders, the mean pressure is 1.5 sigma_Y there (Katta & Polycarpou 2010, J. Tribol.
-        132:041402). This overlap is the same for all laws for one shape; the curve of a law may
-        deviate from the elastic curve earlier or later.
+        132:041402). All laws for the same shape share this value, although the curve of a law may
+        leave the elastic curve at a smaller or larger overlap.
 
         Raises:
             ValueError: The contact of a cylinder at yield is too large for the thickness of the
@@ -205,7 +205,9 @@ class Contact:
             )
 
     def impact(self, speeds: ArrayLike) -> laws.ImpactOutcome:
-        """Return central impacts at closing speeds [m/s] of any shape; results have that shape.
+        """Compute central impacts at closing speeds [m/s].
+
+        The results are arrays of the shape of `speeds`.
 
         Raises:
             ValueError: A speed is out of range, or no body has a mass.
@@ -213,7 +215,7 @@ class Contact:
         return self.law.central_impact(self.radius_eff, self.mass_eff, speeds)
 
     def oblique_impact(self, speeds: ArrayLike, angles: ArrayLike) -> ObliqueOutcome:
-        """Return oblique impacts of bodies without spin, with friction and the tangential law.
+        """Compute oblique impacts with friction, for bodies that do not spin before the impact.
 
         Args:
             speeds: Relative speeds of the bodies before the impact [m/s].
@@ -274,12 +276,13 @@ class Contact:
         return outcome.coefficient_of_restitution
 
     def timestep(self, speed: ArrayLike) -> float | np.ndarray:
-        """Return the time step [s] with an error of 1e-3 in restitution, at closing speeds [m/s].
+        """Return the time step [s] at which the error of the restitution is 1e-3.
 
-        The speeds may have any shape.
+        Args:
+            speed: Closing speeds [m/s], of any shape; the result has the same shape.
 
         Raises:
-            ValueError: The speed is out of range, or no body has a mass.
+            ValueError: A speed is out of range, or no body has a mass.
         """
         return self.law.recommended_timestep(self.radius_eff, self.mass_eff, speed)
 

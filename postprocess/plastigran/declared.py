@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Declarations of quantities as attrs fields, with unit, bounds and meaning.
 
-Cases of experiments and settings of bulk decks are attrs classes of such fields. A value may be a
-number or the text of a deck. Creating the object checks it; the error names the field, the value
+Cases of experiments and settings of bulk decks are attrs classes of such fields. Values may be
+numbers or the text of a deck. Creating the object checks them; the error names the field, the value
 and the allowed range. Command lines, tables and pages read the `declarations` of a class.
 """
 
@@ -70,8 +70,8 @@ class Declaration:
 #: Declaration of the radius of a grain, ball or tip.
 RADIUS = Declaration("radius", "m", 1e-12, 1e6, True, True, usual=(1e-9, 0.5))
 
-#: Declaration of an impact speed. The overlap of a slower impact is below the round-off of
-#: positions in LIGGGHTS.
+#: Declaration of an impact speed. Below 1e-9 m/s, the overlap of the impact would be smaller than
+#: the round-off of positions in LIGGGHTS.
 SPEED = Declaration("speed", "m/s", 1e-9, lower_allowed=True)
 
 

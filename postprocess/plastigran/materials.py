@@ -187,7 +187,7 @@ def _needed(law: str) -> list[str]:
 
 
 def folder() -> Path:
-    """Return the folder of the materials that are found by name."""
+    """Return the folder with the material files that can be read by name."""
     with suppress(EngineError):  # the folder may not exist; materials can still be read from files
         named = inputs_folder() / "materials"
         if named.is_dir():

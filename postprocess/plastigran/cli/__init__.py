@@ -69,7 +69,7 @@ def parser(wanted: str = "") -> argparse.ArgumentParser:
 
 
 def main(argv: list[str] | None = None) -> int:
-    """Run the command; return one of `EXIT_CODES`. An error is one line on stderr."""
+    """Run the command; return one of `EXIT_CODES`. Errors are printed as one line on stderr."""
     words = sys.argv[1:] if argv is None else argv
     arguments = parser(*words[:1]).parse_args(words)
     try:

@@ -90,7 +90,7 @@ def refuse_idle(arguments: argparse.Namespace, needed: str, **idle: object) -> N
     Args:
         arguments: Parsed arguments.
         needed: Name of the other flag.
-        **idle: Argument name to its default.
+        **idle: Flags to check: the name of each parsed argument and its default.
 
     Raises:
         ValueError: A flag without effect is given; the message names it.
@@ -100,7 +100,7 @@ def refuse_idle(arguments: argparse.Namespace, needed: str, **idle: object) -> N
             given = "is given" if value is True else f"is {_shown(value)}"
             raise ValueError(
                 f"--{name.replace('_', '-')} {given}, but has no effect without "
-                f"{needed}. Add {needed} or remove the flag"
+                f"{needed}. Add {needed}, or remove the flag"
             )
 
 
@@ -140,12 +140,12 @@ def positive_integer(text: str) -> int:
 
 
 def known_materials() -> str:
-    """Return the end of the help of a flag for a material."""
+    """Return help text that lists the allowed materials: "a file, or one of the names ..."."""
     return f"a file, or one of the names {', '.join(materials.names())}"
 
 
 def add_laws(command: argparse.ArgumentParser, bodies: str) -> None:
-    """Add `--law`: names of laws, or all laws for some bodies."""
+    """Add `--law`; by default, all laws. They are laws for `bodies`, such as spheres."""
     command.add_argument(
         "--law",
         nargs="+",
@@ -156,7 +156,7 @@ def add_laws(command: argparse.ArgumentParser, bodies: str) -> None:
 
 
 def add_material(command: argparse.ArgumentParser, default: str | None = None) -> None:
-    """Add the material of a body; it is required if there is no default."""
+    """Add `--material`; the flag is required if there is no default."""
     shown = f", default {default}" if default else ""
     command.add_argument(
         "--material",
@@ -167,7 +167,7 @@ def add_material(command: argparse.ArgumentParser, default: str | None = None) -
 
 
 def add_jobs(command: argparse.ArgumentParser) -> None:
-    """Add the number of LIGGGHTS processes that run at a time."""
+    """Add `--jobs`, the number of LIGGGHTS processes that run at a time."""
     command.add_argument(
         "--jobs",
         type=positive_integer,
@@ -176,7 +176,7 @@ def add_jobs(command: argparse.ArgumentParser) -> None:
 
 
 def add_output(command: argparse.ArgumentParser, default: str) -> None:
-    """Add the folder of results, and --force to overwrite earlier ones."""
+    """Add `--output`, the folder of results, and `--force`, which overwrites earlier results."""
     command.add_argument(
         "--output", type=Path, default=Path(default), help=f"folder of results, default {default}"
     )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Command of an experiment, which follows from the declarations of the experiment."""
+"""Command-line subcommand of an experiment, built from the declared fields of the experiment."""
 
 from __future__ import annotations
 
@@ -127,9 +127,13 @@ def run(experiment: type[Experiment], arguments: argparse.Namespace) -> None:
     """
     theory, folder = getattr(arguments, "theory", False), arguments.output
     if theory and arguments.jobs:
-        raise ValueError(f"--jobs is {arguments.jobs}, but --theory starts no LIGGGHTS process")
+        raise ValueError(
+            f"--jobs is {arguments.jobs}, but --theory starts no LIGGGHTS. Remove --jobs"
+        )
     if theory and arguments.dry_run:
-        raise ValueError("--dry-run prints the input of LIGGGHTS, but --theory starts none")
+        raise ValueError(
+            "--dry-run prints the input of LIGGGHTS, but --theory needs no LIGGGHTS. Remove one"
+        )
     refuse_json_of_dry_run(arguments)
     settings = _settings(experiment, arguments)
     if arguments.dry_run:
@@ -162,7 +166,7 @@ def _need_engine(experiment: type[Experiment], host: str) -> None:
 
 
 def _settings(experiment: type[Experiment], arguments: argparse.Namespace) -> dict[str, Any]:
-    """Return the settings that the arguments give."""
+    """Return the settings of the study that the user gave as flags."""
     settings = {}
     for setting, flag in experiment.all_flags().items():
         value = getattr(arguments, setting)
@@ -179,7 +183,7 @@ def _values(
     values: list[float] | None,
     arguments: argparse.Namespace,
 ) -> Any:
-    """Return the values of a flag, or of the range that the flags --`word`s and --points define.
+    """Return the values of flag --`word`, or a geometric sequence over the range --`word`s.
 
     Raises:
         ValueError: Both values and a range are given, or a range has two ends but one point.
@@ -195,7 +199,8 @@ def _values(
         return values
     if points == 1 and ends and ends[0] != ends[1]:
         raise ValueError(
-            f"--points is 1, but the range --{word}s {ends[0]:g} {ends[1]:g} has two ends"
+            f"--points is 1, but the range --{word}s {ends[0]:g} {ends[1]:g} has two ends. "
+            "Use 2 or more points"
         )
     lowest, highest, count = default_range
     return np.geomspace(*(ends or (lowest, highest)), points or count)

@@ -70,8 +70,8 @@ def add_plane(command: argparse.ArgumentParser) -> None:
     """Add the metal of a half space under the sphere. Without these flags, the plane is rigid."""
     for name, value_type, meaning in (
         ("young", positive, "Young's modulus of a half space, Pa; default: rigid plane"),
-        ("poisson", float, "Poisson's ratio of the half space, default that of the sphere"),
-        ("density", positive, "density of the half space, kg/m3, default that of the sphere"),
+        ("poisson", float, "Poisson's ratio of the half space; default: value of the sphere"),
+        ("density", positive, "density of the half space, kg/m3; default: value of the sphere"),
         ("yield", positive, "yield strength of the half space, Pa; default: elastic"),
         ("hardening", float, "plastic modulus of the half space, Pa, default 0"),
     ):
@@ -129,7 +129,7 @@ def _hardening(
 def computed(compute: Callable, *arguments: object, strain: str = "small", **named: object):
     """Return the result of a computation, from the cache if possible.
 
-    Warnings and the reason of an early end go to stderr.
+    Prints warnings on stderr, and the reason if the computation stops early.
 
     Args:
         compute: Function that takes settings and progress after its arguments.

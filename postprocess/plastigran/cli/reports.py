@@ -32,7 +32,7 @@ def add_evidence_arguments(command: argparse.ArgumentParser, results: str, pages
     command.add_argument(
         "--coarse",
         action="store_true",
-        help="use coarse meshes and few cases for a quick look; the errors are some per cent",
+        help="use coarse meshes and few cases for a quick look; errors reach several per cent",
     )
     add_json(command)
 

@@ -47,7 +47,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--host",
         choices=list(LOGS),
-        help="program that runs the deck, default liggghts, or that of DIR with --restart DIR",
+        help="program that runs the deck, default liggghts; DIR's program with --restart DIR",
     )
     command.add_argument(
         "-v",
@@ -112,7 +112,7 @@ def run(arguments: argparse.Namespace) -> None:
         bulk_run.raise_if_failed()
         return
     if earlier and has_no_new_step(bulk_run):
-        advice = ". For a longer run, set its end, for example -v duration=0.6"
+        advice = ". For a longer run, set a later end, for example -v duration=0.6"
         print(
             f"{earlier} has reached its end, so there was nothing to "
             f"compute{advice if bulk_run.deck is None else ''}"
@@ -125,7 +125,7 @@ def how_to_continue(folder: Path) -> str:
     try:
         newest_checkpoint(folder)
     except EngineError:
-        return "it has no checkpoint to continue from"
+        return f"{folder} has no checkpoint to continue from"
     return f"continue from its newest checkpoint with --restart {folder}"
 
 
@@ -159,5 +159,5 @@ def report(run: BulkRun) -> None:
 
 
 def warnings_of(run: BulkRun) -> list[str]:
-    """Return the warnings of the contact models and of the launcher."""
+    """Return the warnings of the contact models and of the launcher from the log of a run."""
     return find_warnings(log_path(run.folder).read_text(errors="replace"))

@@ -43,22 +43,22 @@ plastigran calibrate --young 206e9 --poisson 0.3 --density 7850 --hardness 45HRC
 plastigran calibrate --young 1.2e9 --poisson 0.3 --density 1350 --pull-off 2.4e-6 --radius 2.5e-6
 """
 
-#: Word of --ball and --plate for the metal to be calibrated.
+#: Value of --ball and --plate that stands for the metal to be calibrated.
 METAL = "metal"
 #: Allowed suffixes of --figure.
 FIGURES = (".png", ".svg", ".pdf")
 #: Yield strength of a material that never yields [Pa].
 NO_YIELD = 1e30
-#: Measurements of the yield strength, and their arguments.
+#: Flags that determine the yield strength, and the attributes of their parsed values.
 MEASURED = {
     "--yield": "yield_strength",
     "--hardness": "hardness",
     "--leeb": "leeb",
     "--drop": "drop",
 }
-#: Arguments without a default that belong to the yield strength.
+#: Attributes of optional flags that apply only to a measurement of the yield strength.
 OF_STRENGTH = ("ball", "ball_radius", "rate_coefficient", "scatter", "speeds", "force_ratio")
-#: Arguments that are passed to `calibrate` unchanged.
+#: Attributes of parsed values that are passed to `calibrate` unchanged.
 PASSED_ON = (
     *("density", "yield_strength", "hardness", "leeb", "plastic_modulus", "rate_coefficient"),
     *("scatter", "speeds", "strain"),
@@ -70,8 +70,8 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         "--yield",
         type=positive,
         dest="yield_strength",
-        help="yield strength, Pa; alone, or, for a law that yields, with --pull-off or "
-        "--sticking-speed",
+        help="yield strength, Pa: instead of a measurement, or together with --pull-off or "
+        "--sticking-speed for a law that yields",
     )
     measured = command.add_mutually_exclusive_group()
     measured.add_argument(
@@ -108,12 +108,14 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         dest="plastic_modulus",
         help="plastic modulus, Pa, default 0",
     )
-    command.add_argument("--ball", help="material of the ball of --drop, default the metal itself")
+    command.add_argument(
+        "--ball", help="material of the ball of --drop, default: the calibrated metal"
+    )
     command.add_argument(
         "--plate",
         help=(
             "material of the plate of --drop, or of the second body of --pull-off or "
-            "--sticking-speed: `rigid`, `metal` for the metal itself, or a material. Default: "
+            "--sticking-speed: `rigid`, `metal` for the calibrated metal, or a material. Default: "
             "metal with --radius-other or another --ball, else rigid"
         ),
     )
@@ -182,7 +184,7 @@ def run(arguments: argparse.Namespace) -> None:
     if output is not None:
         check_material_file(output, arguments.force)
     if arguments.figure is not None and arguments.figure.suffix not in FIGURES:
-        raise ValueError(f"figure is {arguments.figure}; it must end in {' or '.join(FIGURES)}")
+        raise ValueError(f"--figure is {arguments.figure}; it must end in {' or '.join(FIGURES)}")
     calibrated = _adhesion(arguments) if _is_of_adhesion(arguments) else _metal(arguments)
     if output is not None:
         write_material(calibrated.material, output, calibrated.remark, arguments.force)
@@ -202,7 +204,7 @@ def _metal(arguments: argparse.Namespace) -> CalibratedMetal:
     """Return the strength of the metal.
 
     Raises:
-        ValueError: There is not exactly one measurement, or as for `calibrate`.
+        ValueError: No measurement or more than one is given, or as for `calibrate`.
     """
     measured = [name for name in MEASURED if getattr(arguments, MEASURED[name]) is not None]
     if len(measured) != 1:

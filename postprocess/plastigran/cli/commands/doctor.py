@@ -40,7 +40,7 @@ class Finding:
     Attributes:
         name: Subject of the check.
         state: "ok", "lacks", or "without" for an optional part.
-        text: Result in words, such as a version or the missing file.
+        said: Result in words, such as a version or the missing file.
         remedy: Advice if something is missing.
     """
 
@@ -151,7 +151,9 @@ def _inputs() -> str:
     try:
         return str(inputs_folder())
     except EngineError as error:
-        raise Lacking(str(error), "unset PLASTIGRAN_INPUTS to use those of the package") from None
+        raise Lacking(
+            str(error), "unset PLASTIGRAN_INPUTS to use the decks of the package"
+        ) from None
 
 
 def _engine() -> str:
@@ -193,7 +195,7 @@ def _collide(ranks: int) -> str:
     """Run an impact of a sphere on a plane and compare it with theory.
 
     Raises:
-        Lacking: The impact does not run, or its restitution differs.
+        Lacking: The impact does not run, or its restitution differs from theory.
     """
     case = CentralImpact("thornton", 0.1, "steel", 5e-3)
     expected, start = case.predict().coefficient_of_restitution, monotonic()
@@ -208,7 +210,7 @@ def _collide(ranks: int) -> str:
     if abs(restitution / expected - 1) > TOLERANCE:
         raise Lacking(
             f"restitution {restitution:.5f}, by theory {expected:.5f}",
-            "the plugin does not belong to this package; run `./run setup` again",
+            "plugin and Python package differ in version; run `./run setup` again",
         )
     engine = head.removeprefix("LIGGGHTS (Version ").split(",")[0]
     return (

@@ -188,13 +188,18 @@ def _sphere(arguments: argparse.Namespace) -> HertzSphere:
 def _press(arguments: argparse.Namespace) -> dict:
     sphere, ratios = _sphere(arguments), arguments.force_ratio
     if sphere.yielding is None:
-        raise ValueError("neither body yields, but --force-ratio is a multiple of the yield force")
+        raise ValueError("neither body yields, but --force-ratio needs a yield force. Add --yield")
     for before, ratio in pairwise(ratios):
         if ratio <= before:
-            raise ValueError(f"force-ratio {ratio:g} follows {before:g}; they must increase")
+            raise ValueError(
+                f"--force-ratio: {ratio:g} follows {before:g}, but ratios must increase"
+            )
     forces = [ratio * sphere.yield_force for ratio in ratios]
     if ratios[-1] <= 1:
-        say(f"{forces[-1]:.4g} N is below the yield force, {sphere.yield_force:.4g} N")
+        say(
+            f"the largest force, {forces[-1]:.4g} N, is below the yield force, "
+            f"{sphere.yield_force:.4g} N"
+        )
     case = (sphere.material, sphere.radius, forces)
     numbers = computed(press, *case, strain=arguments.strain, plane=sphere.plane).to_dict()
     for row in numbers["unloadings"]:
@@ -205,7 +210,7 @@ def _press(arguments: argparse.Namespace) -> dict:
 def _throw(arguments: argparse.Namespace) -> dict:
     sphere = _sphere(arguments)
     if sphere.yielding and arguments.speed <= sphere.yield_speed:
-        say(f"{arguments.speed:g} m/s is below the yield speed, {sphere.yield_speed:.4g} m/s")
+        say(f"speed {arguments.speed:g} m/s is below the yield speed, {sphere.yield_speed:.4g} m/s")
     case = (sphere.material, sphere.radius, arguments.speed)
     return computed(throw, *case, strain=arguments.strain, plane=sphere.plane).to_dict()
 

@@ -18,7 +18,10 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
     add_material(command)
     command.add_argument("--radius", type=positive, required=True, help="radius of the sphere, m")
     command.add_argument(
-        "--degree", type=positive_integer, default=4, help="highest degree, default 4"
+        "--degree",
+        type=positive_integer,
+        default=4,
+        help="highest angular degree of the modes, default 4",
     )
     command.add_argument(
         "--overtones",

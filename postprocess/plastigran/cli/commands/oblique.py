@@ -63,14 +63,17 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         "--points", type=positive_integer, default=20, help="number of angles, default 20"
     )
     command.add_argument(
-        "--figure", type=Path, metavar="FILE.png", help="file for a figure of the outcome by angle"
+        "--figure",
+        type=Path,
+        metavar="FILE.png",
+        help="file for a figure of the outcomes against the angle",
     )
     add_json(command)
 
 
 def run(arguments: argparse.Namespace) -> None:
     if arguments.figure is not None and arguments.figure.suffix not in FIGURES:
-        raise ValueError(f"figure is {arguments.figure}; it must end in {' or '.join(FIGURES)}")
+        raise ValueError(f"--figure is {arguments.figure}; it must end in {' or '.join(FIGURES)}")
     material = read_material(arguments.material)
     wall = RIGID if arguments.wall is None else read_material(arguments.wall)
     angles = np.linspace(*arguments.angles, arguments.points)

@@ -47,12 +47,15 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    if arguments.contacts:
-        refuse_idle(arguments, "grains, not --contacts", colour=None)
+    if arguments.contacts and arguments.colour is not None:
+        raise ValueError("--colour is for grains, but --contacts draws no grains. Remove one flag")
     if arguments.movie is None:
         refuse_idle(arguments, "--movie", rate=None)
     else:
-        refuse_idle(arguments, "a single picture; remove it or --movie", output=None)
+        if arguments.output is not None:
+            raise ValueError(
+                "--output is for one picture, but --movie writes a movie. Remove one flag"
+            )
         save_grain_movie(
             find_frames(arguments.folder),
             arguments.movie,

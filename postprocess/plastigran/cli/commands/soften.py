@@ -110,8 +110,9 @@ def run(arguments: argparse.Namespace) -> None:
         "acceptable" if factor >= lowest else "TOO SOFT: the grains do not behave like hard ones"
     )
     print(
-        f"  {verdict}. With the law below that has the largest overlap, {SOUND_OVERLAP:g} of "
-        f"the radius is reached at the factor {1.0005 * lowest:.4g}"  # not rounded down
+        # The factor 1.0005 keeps the printed number from being rounded down.
+        f"  {verdict}. The law with the largest overlap reaches {SOUND_OVERLAP:g} of the radius at "
+        f"the factor {1.0005 * lowest:.4g}"
     )
     print(
         "\nlaw                    restitution      softened  largest change  step, s  softened, s"
