@@ -10,7 +10,7 @@ from plastigran.bulk.decks.ball_impact import STEEL
 from plastigran.bulk.outcome import open_run
 from plastigran.papers import find_paper
 from plastigran.papers.dosta24 import impact
-from plastigran.papers.dosta24.published import eight_codes, silo
+from plastigran.papers.dosta24.published import drum, eight_codes, silo
 
 
 def test_published_impact_has_the_printed_ranges():
@@ -43,6 +43,15 @@ def test_published_silo_discharges_at_the_printed_rate():
         assert rate == pytest.approx(23200, rel=0.08)  # the re-runs have 24.2 and 24.5 thousand
 
 
+def test_published_drum_begins_half_in_zone_2():
+    """At the start, half of the grains lie at x < 0, all below the axis, and none in zone 1."""
+    start = drum()["MUSEN"].iloc[0]
+    assert start[["small_1", "large_1"]].tolist() == [0, 0]
+    # Half of 30000 and of 8000 grains, within the scatter of random positions.
+    assert abs(start["small_2"] - 15000) < 3 * np.sqrt(30000) / 2
+    assert abs(start["large_2"] - 4000) < 3 * np.sqrt(8000) / 2
+
+
 def test_free_flight_continues_a_run(coarse):
     """A ball above the bed that moves upward flies freely; a ball in the bed has no value."""
     run = open_run(coarse("dosta24") / "impact_800_hertz_1" / "part_1")
@@ -73,8 +82,13 @@ def test_small_cases(coarse, coarse_table):
     assert energies["plastic, %"] > 5 and energies["friction, %"] > 5
     assert (coarse("dosta24") / "impact.png").is_file()
     assert coarse_table("dosta24", "silo_rates")["our runs"].gt(0).all()
+    # The rotation carries the 250 small grains from zone 2 to the rising side.
+    series = open_run(coarse("dosta24") / "drum_hertz_1_coarse" / "part_1").series
+    assert 50 < series["small_2"].iloc[-1] < series["small_2"].iloc[0]
 
 
-def test_options_of_other_papers_are_refused():
+def test_options_of_other_papers_and_cases_are_refused():
+    with pytest.raises(ValueError, match=r"--grains is an option of --case impact"):
+        find_paper("dosta24", case="drum", grains=100)
     with pytest.raises(ValueError, match=r"zv02 has no --case\. Remove --case"):
         find_paper("zv02", case="impact")

@@ -22,8 +22,8 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
     bulk = command.add_argument_group(
         "bulk benchmarks", "Only for dosta24. An interrupted command continues its runs."
     )
-    bulk.add_argument("--case", choices=("impact", "silo"), help="compute one case, default all")
-    bulk.add_argument("--grains", type=positive_integer, help="number of grains")
+    bulk.add_argument("--case", choices=("impact", "silo", "drum"), help="case, default all")
+    bulk.add_argument("--grains", type=positive_integer, help="number of grains (only impact)")
     bulk.add_argument(
         "--law",
         nargs="+",

@@ -6,11 +6,11 @@ from __future__ import annotations
 from pathlib import Path
 
 from plastigran.papers.base import Paper
-from plastigran.papers.dosta24 import impact, silo
+from plastigran.papers.dosta24 import drum, impact, silo
 from plastigran.report.base import Findings
 
 #: Modules of the cases by name. Each has `compute`, and names of its results with their functions.
-CASES = {"impact": impact, "silo": silo}
+CASES = {"impact": impact, "silo": silo, "drum": drum}
 
 
 def paper(case: str | None = None, folder: Path | None = None, **options: object) -> Paper:
@@ -20,7 +20,12 @@ def paper(case: str | None = None, folder: Path | None = None, **options: object
         case: Name in `CASES`; all cases if not given.
         folder: Folder of the bulk runs, by default results/dosta24. Unfinished runs in it continue.
         options: Further arguments of `compute` in the modules of the cases.
+
+    Raises:
+        ValueError: The number of grains is given for another case than impact.
     """
+    if "grains" in options and case != "impact":
+        raise ValueError("--grains is an option of --case impact. Add --case impact")
     folder = folder or Path("results") / "dosta24"
     modules = [CASES[case]] if case else list(CASES.values())
 

@@ -65,3 +65,26 @@ def silo() -> dict[str, pd.DataFrame]:
         code: pd.DataFrame({"time": table["time_s"], "held": table[column]}).dropna()
         for code, column in (("LIGGGHTS", "large_M1_liggghts"), ("MUSEN", "large_M1_musen"))
     }
+
+
+def drum() -> dict[str, pd.DataFrame]:
+    """Return the numbers of grains in two zones of the drum, by code.
+
+    Returns:
+        For LIGGGHTS and MUSEN, columns time [s], and small_1, small_2, large_1 and large_2: the
+        numbers of small grains (M1) and large grains (M2) in zones 1 and 2.
+    """
+    table = _read("drum")
+    return {
+        code: pd.DataFrame(
+            {
+                "time": table["time_s"],
+                **{
+                    f"{size}_{zone}": table[f"{code.lower()}_zone{zone}_{material}"]
+                    for size, material in (("small", "M1"), ("large", "M2"))
+                    for zone in (1, 2)
+                },
+            }
+        ).dropna()
+        for code in ("LIGGGHTS", "MUSEN")
+    }

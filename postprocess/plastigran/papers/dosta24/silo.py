@@ -32,7 +32,6 @@ def compute(
     progress: bool,
     coarse: bool,
     folder: Path,
-    grains: int | None = None,
     law: Sequence[str] = ("hertz",),
     beds: int = 1,
     ranks: int = 1,
@@ -43,7 +42,6 @@ def compute(
         progress: Whether to show a progress bar.
         coarse: Whether to run few grains for a short time.
         folder: Folder of the runs.
-        grains: Number of grains; 100000 if not given.
         law: Labels of `CONTACTS`, or names of laws.
         beds: Number of random fillings.
         ranks: Number of MPI ranks.
@@ -51,7 +49,7 @@ def compute(
     Returns:
         Runs by label.
     """
-    settings = COARSE if coarse else SOFT | ({"grain_count": grains} if grains else {})
+    settings = COARSE if coarse else SOFT
     return {
         label: [
             finish_bulk(
