@@ -222,7 +222,7 @@ class BulkDeck:
 
         It is `LEDGER` times the square of the time step divided by the recommended one, because the
         integrator is of second order. The recommended step belongs to the impact of two grains at
-        the speed that corresponds to the whole energy input. The limit is at least `LEDGER`.
+        the speed that corresponds to the whole energy input. The limit is at most `LEDGER`.
 
         Args:
             series: Terms of inputs/energy_ledger.in [J], and the column atoms.

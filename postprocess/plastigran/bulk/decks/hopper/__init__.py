@@ -24,7 +24,7 @@ LEVEL = 0.05
 #: Remark for a run without steady discharge.
 UNMEASURED = (
     f"the discharge rate was not measured. The run ended before {STEADY_SHARE:.0%} of the "
-    f"grains were out, has less than {2 * BLOCKS} rows until then, or its bed is too shallow. "
+    f"grains were out, it has fewer than {2 * BLOCKS} rows until then, or its bed is too shallow. "
     "Raise duration, rows or layers"
 )
 #: Largest number of lattice layers that fit into the hopper.
