@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Count the instructions of the pair forces in LAMMPS, for its own laws and those of the plugin.
 
@@ -7,7 +6,7 @@ valgrind). The count includes all functions that the pair forces call and, with 
 loops over particles. It does not include LAMMPS' fix that `mdr` needs. Counts are the same in every
 run of one binary, also on a busy machine.
 
-    .venv/bin/python benchmarks/lammps_count.py
+    ./run bench lammps_count
 """
 
 from __future__ import annotations
@@ -53,7 +52,10 @@ def instructions(name: str) -> int:
     for old in WORK.glob("callgrind.out*"):
         old.unlink()
     tool = ["valgrind", "--tool=callgrind", "--trace-children=yes"]
-    tool += [f"--callgrind-out-file={out}.%p", *(f"--toggle-collect={each}" for each in COUNTED)]
+    tool += [
+        f"--callgrind-out-file={out}.%p",
+        *(f"--toggle-collect={function}" for function in COUNTED),
+    ]
     line = command(HERE / "peers" / "compression.lammps", variables, WORK, host=LAMMPS)
     done = subprocess.run(
         [*tool, *line], cwd=WORK, env=LAMMPS.environment(), capture_output=True, text=True
@@ -61,8 +63,8 @@ def instructions(name: str) -> int:
     if done.returncode:
         raise EngineError(f"{name}: {done.stdout[-300:]} {done.stderr[-300:]}")
     texts = [file.read_text(errors="replace") for file in WORK.glob("callgrind.out*")]
-    totals = [re.search(r"^(?:summary|totals): (\d+)", text, re.M) for text in texts]
-    total = max((int(found[1]) for found in totals if found), default=0)
+    sums = [re.search(r"^(?:summary|totals): (\d+)", text, re.M) for text in texts]
+    total = max((int(match[1]) for match in sums if match), default=0)
     if not total:
         raise EngineError(f"{name}: callgrind counted nothing")
     return total

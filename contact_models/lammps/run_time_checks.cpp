@@ -76,10 +76,7 @@ void RunTimeChecks::expect(const std::vector<ExpectedImpact>& impacts) {
     Excess& excess = laws_[law];
     if (speed <= 1.01 * excess.warned_speed) continue;
     excess.warned_speed = speed;
-    std::ostringstream text;
-    text << "model " << law << ": impacts at the current speeds (up to " << speed
-         << " m/s) will exceed the validity range of the law (" << excess.range << ')';
-    warn(text.str());
+    warn("model " + law + ": " + range_forecast(excess.range, speed, "m/s"));
   }
 }
 
@@ -108,6 +105,7 @@ void RunTimeChecks::post_run() {
 // Prints the largest overlap if it exceeds the last printed one by more than `factor`. All ranks
 // must call this function.
 void RunTimeChecks::print_furthest(const std::string& law, Excess& excess, double factor) {
+  if (excess.range.empty()) return;  // law of an earlier run, read from a restart file
   double furthest;
   MPI_Reduce(&excess.contacts, &excess.all_contacts, 1, MPI_DOUBLE, MPI_SUM, 0, world);
   MPI_Reduce(&excess.furthest, &furthest, 1, MPI_DOUBLE, MPI_MAX, 0, world);

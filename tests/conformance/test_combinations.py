@@ -129,6 +129,12 @@ SLIPPING = {
         "tangential partial_slip rolling_friction epsd2", options="rings 8"
     ),
     "2 rings": Contact("tangential partial_slip", options="rings 2"),
+    # After a restart, the history values of both options follow in the same order.
+    "8 rings and adhesion": Contact(
+        "tangential partial_slip",
+        options="rings 8 adhesion jkr",
+        more="fix surface_energy all property/global surfaceEnergy peratomtypepair 2 1 1 1 1\n",
+    ),
     "partial_slip and dashpot": Contact("tangential partial_slip", options="viscous_damping on"),
     "incremental": Contact("tangential incremental"),
 }

@@ -52,7 +52,7 @@ def contact_lines() -> str:
 
 
 def reports(log: str) -> list[tuple[str, ...]]:
-    return [found for text in find_warnings(log) for found in re.findall(REPORT, text)]
+    return [report for text in find_warnings(log) for report in re.findall(REPORT, text)]
 
 
 @pytest.mark.parametrize(("ranks", "newton"), [(1, "on"), (2, "on"), (2, "off")])

@@ -83,7 +83,7 @@ def test_small_cases(coarse, coarse_table):
     assert (coarse("dosta24") / "impact.png").is_file()
     assert coarse_table("dosta24", "silo_rates")["our runs"].gt(0).all()
     # The rotation carries the 250 small grains from zone 2 to the rising side.
-    series = open_run(coarse("dosta24") / "drum_hertz_1_coarse" / "part_1").series
+    series = open_run(coarse("dosta24") / "drum_coarse_hertz_1" / "part_1").series
     assert 50 < series["small_2"].iloc[-1] < series["small_2"].iloc[0]
 
 

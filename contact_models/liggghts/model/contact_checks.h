@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <string>
 
 #include "atom.h"
@@ -20,6 +19,7 @@
 #include "liggghts/model/deck_units.h"
 #include "plastigran/impact/central_impact.h"
 #include "plastigran/pairs/impact_times.h"
+#include "plastigran/pairs/range_report.h"
 #include "plastigran/pairs/type_pair.h"
 #include "pointers.h"
 #include "update.h"
@@ -59,11 +59,9 @@ class ContactChecks : protected LAMMPS_NS::Pointers {
     if (times.outside_speed <= 1.01 * excess_->warned_speed) return;
     // Warn once for all walls, and again only for higher speeds.
     excess_->warned_speed = times.outside_speed;
-    std::ostringstream text;
-    text << model_ << ": impacts at the current speeds (up to " << times.outside_speed << ' '
-         << unit_in_deck(update->unit_style, "m/s")
-         << ") will exceed the validity range of the law (" << Law::range << ')';
-    warn(lmp, text.str());
+    warn(lmp, model_ + ": " +
+                  range_forecast(Law::range, times.outside_speed,
+                                 unit_in_deck(update->unit_style, "m/s")));
   }
 
   // Prints a warning once for all walls. Each setup calls this function on rank 0.

@@ -45,8 +45,8 @@ class PartialSlip {
   static constexpr const char* range = "exact for elastic spheres with many rings";
   static constexpr int most_rings = capacity, default_rings = 4;
 
-  // The edge of a ring is stored as p = F^(1/3), where F is the normal force at the edge, so that h
-  // = c p^2. The vector D is stored in the frame of the contact.
+  // The edge of a ring is stored as p = F^(1/3), where F is the normal force at the edge. Then
+  // h = c p^2. The vector D is stored in the frame of the contact.
   struct Ring {
     double edge;  // p at the outer edge; 0 where there is no ring
     double x, y;  // D

@@ -10,8 +10,8 @@
 //   state_size(rings)                   number of leading doubles of State that the law uses
 //   respond(load, motion, state)        advances the state by one step and returns the Response
 //
-// A law needs two values of the normal contact: the normal force F, and the tangential stiffness 8
-// G* a, where a is the contact radius. The law assumes that unloading is elastic with a^3
+// A law needs two values of the normal contact: the normal force F, and the tangential stiffness
+// 8 G* a, where a is the contact radius. The law assumes that unloading is elastic with a^3
 // proportional to F. If the tangential traction is everywhere D times the normal traction, the
 // tangential displacement is then 3/2 D F/(8 G* a). The assumption is exact for the Hertz contact
 // and for the unloading of most laws.

@@ -11,8 +11,8 @@
 
 namespace plastigran {
 
-// Returns why the constants of a body are implausible; empty if they are plausible. `pascal` is 1
-// Pa in the pressure unit of the constants.
+// Returns why the constants of a body are implausible; empty if they are plausible. `pascal` is the
+// value of 1 Pa in the pressure unit of the constants.
 //
 // Modulus: LIGGGHTS requires 5 MPa, and solids below 1 MPa are gels. Strength: the ideal strength
 // of a solid is about a tenth of its modulus and never reaches a third (Kelly & Macmillan, Strong

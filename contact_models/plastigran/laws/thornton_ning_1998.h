@@ -14,8 +14,8 @@
 // forms again at overlap_p, where the flattened surfaces touch.
 //
 // If a contact yields under tension, at s_y^3 < 5/4 c R*, the published unloading releases more
-// energy than loading took. With the option energy_guard, such a contact yields at s_y^3 = 5/4 c
-// R*, which corresponds to a larger p_y.
+// energy than loading took. With the option energy_guard, such a contact yields at
+// s_y^3 = 5/4 c R*, which corresponds to a larger p_y.
 //
 // Range: a << R*; as `thornton`, the force is too low well beyond yield.
 #pragma once

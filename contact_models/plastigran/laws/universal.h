@@ -108,7 +108,7 @@ struct UniversalCurve {
   }
   PLASTIGRAN_DEVICE double steepness(double x) const { return 1 + g_1 * lacking(x); }
 
-  // returns overlap/R* at a/R = 0.1, the end of the fit
+  // Returns overlap/R* at a/R = 0.1, the end of the fit.
   double overlap_range() const {
     double left = 0, right = 0.1 / yield_radius;  // bounds of t: a is at least the Hertz radius
     halve(left, right,

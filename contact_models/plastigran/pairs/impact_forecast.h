@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Forecast of the hardest impacts at the current velocities. For each pair of atom types that can
-// touch, it is an impact of the smallest and lightest particles at the largest relative speed. The
-// relative speed follows from the extremes of the velocity components, so a velocity that all
-// particles have in common does not count.
+// Forecast of the hardest impacts at the current velocities: one impact for each pair of atom types
+// that can touch. In this impact, the smallest and lightest particles collide at the largest
+// relative speed. This speed follows from the extremes of the velocity components, so a velocity
+// that all particles have in common does not count.
 #pragma once
 
 #include <algorithm>

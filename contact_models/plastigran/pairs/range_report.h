@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Text of the hosts about contacts beyond the validity range of their law.
+// Messages about contacts beyond the validity range of their law, for all hosts.
 #pragma once
 
 #include <sstream>
@@ -20,6 +20,14 @@ inline std::string range_warning(const std::string& range, double contacts, doub
     text << contacts << " contacts have exceeded";
   text << " the validity range of the law (" << range << "). The largest overlap was " << furthest
        << " times the limit. Use a law with a larger range, or lower the load";
+  return text.str();
+}
+
+// Returns the warning before a run. `speed` is the largest speed of the impacts, with its unit.
+inline std::string range_forecast(const std::string& range, double speed, const std::string& unit) {
+  std::ostringstream text;
+  text << "impacts at the current speeds (up to " << speed << ' ' << unit
+       << ") will exceed the validity range of the law (" << range << ')';
   return text.str();
 }
 

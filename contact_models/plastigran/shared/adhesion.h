@@ -9,9 +9,9 @@
 //   elastic energy = E* (8/15 s^10/R*^2 - 4/3 c s^7/R* + c^2 s^4)
 //   surface energy = -1/2 E* c^2 s^4
 //
-// If the overlap is prescribed, the contact breaks at the least overlap, -3/4 c s_0 with s_0 = (c
-// R*/4)^(1/3). With u = s/s_0 and x = overlap/(3/4 c s_0), the first equation is u^4 - 4 u = 3 x.
-// Ferrari's solution of this quartic has the resolvent cubic z^3 + 12 x z = 16.
+// If the overlap is prescribed, the contact breaks at the least overlap, -3/4 c s_0 with
+// s_0 = (c R*/4)^(1/3). With u = s/s_0 and x = overlap/(3/4 c s_0), the first equation is
+// u^4 - 4 u = 3 x. Ferrari's solution of this quartic has the resolvent cubic z^3 + 12 x z = 16.
 #pragma once
 
 #include <cmath>

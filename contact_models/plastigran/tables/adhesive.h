@@ -13,15 +13,15 @@
 // Up to yield this is JKR, and S D^2/4 = pi Gamma a^2. Beyond yield, first loading keeps the JKR
 // relation between the overlap and the radius (R* overlap_1)^(1/2), as in Thornton & Ning 1998.
 //
-// Yield (Thornton & Ning 1998): adhesion lowers the pressure in the center of the contact by p_c =
-// (2 Gamma E*/(pi a))^(1/2). The contact therefore yields at the radius a_y at which p_y + p_c = 2
-// E* a_y/(pi R*), where p_y is the yield pressure of the law without adhesion. The law is then
-// evaluated with k = 1 + p_c/p_y times its yield strength: F_k(R*, overlap) = F(k^2 R*, overlap)/k.
-// The contact stores k, which depends on R* only.
+// Yield (Thornton & Ning 1998): adhesion lowers the pressure in the center of the contact by
+// p_c = (2 Gamma E*/(pi a))^(1/2). The contact therefore yields at the radius a_y at which
+// p_y + p_c = 2 E* a_y/(pi R*), where p_y is the yield pressure of the law without adhesion. The
+// law is then evaluated with k = 1 + p_c/p_y times its yield strength:
+// F_k(R*, overlap) = F(k^2 R*, overlap)/k. The contact stores k, which depends on R* only.
 //
-// In yield units of the strengthened law, x = overlap_1/overlap_y, D = B d overlap_y with d =
-// x^(1/4). B = c R*/a_y^(3/2) = 2 (1 - 1/k) measures adhesion. adhesive_work.h computes the work of
-// first loading.
+// In yield units of the strengthened law, x = overlap_1/overlap_y and D = B x^(1/4) overlap_y.
+// B = c R*/a_y^(3/2) = 2 (1 - 1/k) measures adhesion. adhesive_work.h computes the work of first
+// loading.
 #pragma once
 
 #include <algorithm>

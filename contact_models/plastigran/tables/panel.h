@@ -62,8 +62,8 @@ struct Panel {
     return unpacked(sum<0, terms>(power));
   }
 
-  // Interpolates the functions at the Chebyshev points of [begin, right]. Returns the largest error
-  // at four check points divided by the allowed error, or infinity if it exceeds the allowed error.
+  // Interpolates the functions at the Chebyshev points of [begin, right]. Returns the largest ratio
+  // of error to allowed error at four check points, or infinity if a ratio exceeds 1.
   template <class Functions>
   double fit(double begin, double right, const Functions& functions,
              const Interpolation<terms>& through) {

@@ -10,9 +10,8 @@ import numpy as np
 import pandas as pd
 from matplotlib.figure import Figure
 
-from plastigran.bulk.continued import finish_bulk
 from plastigran.bulk.outcome import BulkRun
-from plastigran.papers.dosta24.contacts import CONTACTS
+from plastigran.papers.dosta24.beds import run_beds
 from plastigran.papers.dosta24.published import drum
 from plastigran.plot.style import COLOURS, styled, subplots
 
@@ -54,27 +53,18 @@ def compute(
     Returns:
         Runs of several random beds, by label of `CONTACTS`.
     """
-    settings = COARSE if coarse else SOFT
+    settings, path = (COARSE, folder / "drum_coarse") if coarse else (SOFT, folder / "drum")
     return {
-        label: [
-            finish_bulk(
-                "mixing_drum",
-                settings | CONTACTS.get(label, {"law": label}) | {"seed": seed},
-                folder / f"drum_{label}_{seed}{'_coarse' if coarse else ''}",
-                ranks,
-                progress,
-            ).raise_if_failed()
-            for seed in range(1, beds + 1)
-        ]
+        label: run_beds("mixing_drum", settings, label, beds, path, ranks, progress)
         for label in law
     }
 
 
 def zones(data: dict[str, list[BulkRun]]) -> pd.DataFrame:
-    """Return the numbers of grains in both zones at quarters of the run, beside other codes.
+    """Return the numbers of grains in both zones over time, beside other codes.
 
-    The last row of each zone is the root mean square difference from the mean of LIGGGHTS and
-    MUSEN, over the times for which both are published.
+    The times are every second one for which LIGGGHTS and MUSEN are both published. The last row of
+    each quantity is the root mean square difference from the mean of both, over all these times.
     """
     series = {label: _mean([run.series for run in runs]) for label, runs in data.items()}
     end = min(table["time"].iloc[-1] for table in series.values())
@@ -82,7 +72,7 @@ def zones(data: dict[str, list[BulkRun]]) -> pd.DataFrame:
     common = _common_times(published, end)
     rows = []
     for column, name in COUNTS.items():
-        for time in end * np.arange(1, 5) / 4:
+        for time in common[1::2]:
             row = {"number of": name, "time (s)": f"{time:g}"}
             for label, table in (series | published).items():
                 row[label] = round(float(_at(table, column, time)))

@@ -12,9 +12,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from plastigran.bulk.checks import ENERGIES
-from plastigran.bulk.continued import finish_bulk
 from plastigran.bulk.outcome import BulkRun
-from plastigran.papers.dosta24.contacts import CONTACTS
+from plastigran.papers.dosta24.beds import CONTACTS, run_beds
 from plastigran.papers.dosta24.published import eight_codes, reruns
 from plastigran.plot.style import COLOURS, styled, subplots
 
@@ -63,17 +62,11 @@ def compute(
     for count in [COARSE_GRAINS] if coarse else [grains] if grains else BEDS:
         for label in law or BEDS.get(count, CONTACTS):
             number = 1 if coarse else beds or BEDS.get(count, {}).get(label, 1)
-            settings = {"grain_count": count, **CONTACTS.get(label, {"law": label})}
-            runs[count, label] = [
-                finish_bulk(
-                    "ball_impact",
-                    settings | {"seed": seed} | (COARSE if coarse else FULL),
-                    folder / f"impact_{count}_{label}_{seed}",
-                    ranks,
-                    progress,
-                ).raise_if_failed()
-                for seed in range(1, number + 1)
-            ]
+            settings = {"grain_count": count} | (COARSE if coarse else FULL)
+            path = folder / f"impact_{count}"
+            runs[count, label] = run_beds(
+                "ball_impact", settings, label, number, path, ranks, progress
+            )
     return runs
 
 

@@ -11,9 +11,8 @@ import pandas as pd
 from matplotlib.figure import Figure
 from scipy.stats import linregress
 
-from plastigran.bulk.continued import finish_bulk
 from plastigran.bulk.outcome import BulkRun
-from plastigran.papers.dosta24.contacts import CONTACTS
+from plastigran.papers.dosta24.beds import run_beds
 from plastigran.papers.dosta24.published import silo
 from plastigran.plot.style import COLOURS, styled, subplots
 
@@ -49,20 +48,8 @@ def compute(
     Returns:
         Runs by label.
     """
-    settings = COARSE if coarse else SOFT
-    return {
-        label: [
-            finish_bulk(
-                "silo",
-                settings | CONTACTS.get(label, {"law": label}) | {"seed": seed},
-                folder / f"silo_{label}_{seed}{'_coarse' if coarse else ''}",
-                ranks,
-                progress,
-            ).raise_if_failed()
-            for seed in range(1, beds + 1)
-        ]
-        for label in law
-    }
+    settings, path = (COARSE, folder / "silo_coarse") if coarse else (SOFT, folder / "silo")
+    return {label: run_beds("silo", settings, label, beds, path, ranks, progress) for label in law}
 
 
 def rates(data: dict[str, list[BulkRun]]) -> pd.DataFrame:

@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Runs of a case with several random beds, and the contact laws of the benchmark."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+from plastigran.bulk.continued import finish_bulk
+from plastigran.bulk.outcome import BulkRun
+
+#: Settings of the contacts by label. LIGGGHTS' own hertz has the prescribed restitution; the law
+#: thornton has a yield strength instead.
+CONTACTS = {
+    "hertz": {"law": "hertz", "ledger": "off"},
+    "thornton": {"law": "thornton"},
+}
+
+
+def run_beds(
+    deck: str,
+    settings: Mapping[str, object],
+    label: str,
+    beds: int,
+    path: Path,
+    ranks: int,
+    progress: bool,
+) -> list[BulkRun]:
+    """Run a deck with several random beds, or continue its runs.
+
+    Args:
+        deck: Name of the deck.
+        settings: Deck settings to override, without those of the contacts.
+        label: Label of `CONTACTS`, or name of a law.
+        beds: Number of random beds. Their seeds are 1, 2, ...
+        path: Start of the paths of the folders; label and seed follow.
+        ranks: Number of MPI ranks.
+        progress: Whether to show a progress bar.
+    """
+    settings = {**settings, **CONTACTS.get(label, {"law": label})}
+    return [
+        finish_bulk(
+            deck,
+            settings | {"seed": seed},
+            path.with_name(f"{path.name}_{label}_{seed}"),
+            ranks,
+            progress,
+        ).raise_if_failed()
+        for seed in range(1, beds + 1)
+    ]
