@@ -93,7 +93,7 @@ class WallStyle : private WallLine, public LammpsWall, public ContactTally {
     const WallLoad last = wall_load_;
     const std::array<double, 3> before = region_velocity();
     begin(this->lmp);
-    if (balance_) LoadModel::enable(this->model);
+    LoadModel::enable(this->model);
     LammpsWall::post_force(vflag);
     end();
     if (balance_ && !this->update->setupflag) {
