@@ -10,7 +10,7 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from plastigran.engine.contacts import contact_columns, read_contact_frames, read_contacts
+from plastigran.engine.contacts import contact_columns, read_contacts
 from plastigran.engine.dumps import DumpError, TruncatedFileWarning, read_dump, read_frames
 from plastigran.engine.log import read_thermo
 from plastigran.engine.process import inputs_folder, run_deck
@@ -97,14 +97,9 @@ def test_fields_may_be_given_for_unlabelled_files(pair_run, tmp_path):
 @pytest.mark.parametrize("batch", [1, 5, 1000])
 def test_frames_are_the_whole_table_in_parts(pair_run, batch, monkeypatch):
     monkeypatch.setattr("plastigran.engine.dumps.BATCH", batch)
-    monkeypatch.setattr("plastigran.engine.contacts.BATCH", batch)
     frames = list(read_frames(pair_run / "trajectory.dump"))
     assert all(len(frame) == 2 and frame["step"].nunique() == 1 for frame in frames)
     whole = read_dump(pair_run / "trajectory.dump")
-    assert (pd.concat(frames).to_numpy() == whole.to_numpy()).all()
-    frames = list(read_contact_frames(pair_run / "contacts.dump"))
-    assert any(frame.empty for frame in frames)  # before the spheres touch
-    whole = read_contacts(pair_run / "contacts.dump")
     assert (pd.concat(frames).to_numpy() == whole.to_numpy()).all()
 
 

@@ -1,15 +1,14 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Read dumps of pair and wall contacts, completely or frame by frame."""
+"""Read dumps of contacts between particles, and between particles and walls."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
 import pandas as pd
 
-from plastigran.engine.dumps import BATCH, DumpError, read_tables, split_frames
+from plastigran.engine.dumps import DumpError, read_tables
 
 # Columns of `compute pair/gran/local` and `compute wall/gran/local` by field, in the order of
 # LIGGGHTS, which does not depend on the input script.
@@ -92,19 +91,6 @@ def read_contacts(
     ((label, _, table),) = read_tables(path, None)
     table.columns = _column_names(path, label, table, kind, fields)
     return _touching(table) if touching else table
-
-
-def read_contact_frames(
-    path: str | Path, kind: str | None = None, fields: str | None = None, touching: bool = True
-) -> Iterator[pd.DataFrame]:
-    """Read a dump of contacts frame by frame; the file may be larger than the memory.
-
-    Arguments, columns and errors are the same as for `read_contacts`.
-    """
-    for label, counts, table in read_tables(path, BATCH):
-        table.columns = _column_names(path, label, table, kind, fields)
-        for frame in split_frames(table, counts):
-            yield _touching(frame) if touching else frame
 
 
 def _column_names(
