@@ -12,7 +12,8 @@
     flow = pg.bulk("hopper", law="thornton", ranks=2)    # or pg.open("results/hopper")
     flow.series, flow.checks, flow.figures["hopper"]
 
-Public names are imported on first use, which saves start-up time. Type checkers see plain imports.
+A public name is imported at its first use, which shortens the start of programs. Type checkers read
+the plain imports below `TYPE_CHECKING`.
 """
 
 from importlib import import_module

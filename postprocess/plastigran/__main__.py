@@ -11,7 +11,8 @@ def start() -> int:
     """Run the command and return its exit code, also if Ctrl-C interrupts the import of modules."""
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:
-        from plastigran.cli import main  # slow; imported here, so that Ctrl-C is handled
+        # Import this slow module here, so that Ctrl-C during the import is handled.
+        from plastigran.cli import main
 
         return main()
     except KeyboardInterrupt:

@@ -37,14 +37,14 @@ def cite(names: Iterable[str] | str = ()) -> str:
     """Return BibTeX of the software and of the sources of some laws.
 
     Args:
-        names: Names of laws, or `rate_factor`; without names only the software.
+        names: Names of laws, or `rate_factor`. Without names, only the software is cited.
 
     Returns:
-        The entry of the software and the entries of the sources, each once. Comment lines before
-        them name the laws that only this software describes.
+        The BibTeX entry of the software and the entries of the sources, each once. Comment lines
+        before the entries name the laws that only this software describes.
 
     Raises:
-        ValueError: A name has no entry; the message lists those that have one.
+        ValueError: A name has no entry; the message lists the names that have an entry.
     """
     names = [names] if isinstance(names, str) else list(names)
     sources, bibtex = subjects(), entries()

@@ -35,13 +35,13 @@ class Contact:
 
     Args:
         law: Name of the law.
-        a, b: Materials of the bodies: a result of `plastigran.material`, a name or file, or
-            `plastigran.RIGID`.
+        a, b: Materials of the two bodies. Each is a result of `plastigran.material`, the name of a
+            material, the path of a material file, or `plastigran.RIGID`.
         radius: Radius of body a [m].
         radius_other: Radius of body b [m]; None for a flat.
-        mass_eff: m* [kg]. By default, it is the value of spheres, or of cylinders of
-            `cylinder_length`, with the densities of the materials. A flat and a body without
-            density do not move.
+        mass_eff: Effective mass m* [kg]. The default follows from the densities of the materials,
+            for spheres or for cylinders of length `cylinder_length`. A flat, and a body without
+            density, have an infinite mass.
         friction: Coefficient of friction [-].
         tangential: Name of the tangential law, for `oblique_impact`.
         rings: Number of rings of `partial_slip`, at most 8.
@@ -53,7 +53,7 @@ class Contact:
         law: Law between the bodies, an instance of a class of `plastigran.laws.LAWS`.
         pair: Constants of the two bodies.
         tangential: Tangential law between the bodies, of `plastigran.laws.TANGENTIAL_LAWS`.
-        radius_eff: R* [m].
+        radius_eff: Effective radius R* [m].
 
     Raises:
         ValueError: The law or material does not exist, or a value is missing, not a number or out
@@ -120,14 +120,15 @@ class Contact:
         return pi * radius**2 * self._constants["cylinder_length"] * body.density
 
     def path(self, overlaps: ArrayLike) -> pd.DataFrame:
-        """Return the response along a path of overlaps, from first touch.
+        """Return the response of a new contact along a path of overlaps.
 
         Args:
             overlaps: Overlaps (N,) [m].
 
         Returns:
-            (N,) rows: overlap [m], force [N], contact_radius [m], elastic_energy [J] (recoverable)
-            and plastic_work [J] (dissipated); for a law that attracts also surface_energy [J].
+            (N,) rows with the columns overlap [m], force [N], contact_radius [m], elastic_energy
+            [J] (recoverable) and plastic_work [J] (dissipated). A law with adhesion also has the
+            column surface_energy [J].
 
         Warns:
             RangeWarning: An overlap exceeds the range of the law.
@@ -167,7 +168,7 @@ class Contact:
         """Force at `yield_overlap` [N]; infinite for a law without yield.
 
         For spheres, it is pi^3 p_y^3 R*^2/(6 E*^2); for cylinders, 36 sigma_Y^2 R* L/(pi E*).
-        Sources and errors are as for `yield_overlap`.
+        The sources and the exceptions are those of `yield_overlap`.
         """
         return self._yield()[0]
 
@@ -181,7 +182,7 @@ class Contact:
         Source: Thornton 1997, J. Appl. Mech. 64:383, eq. 22.
 
         Raises:
-            ValueError: No body has a mass, or as for `yield_overlap`.
+            ValueError: No body has a mass, or `yield_overlap` raises the error.
         """
         return sqrt(2 * self._yield()[2] / self.mass_eff)
 
@@ -266,7 +267,7 @@ class Contact:
         """Return the coefficient of restitution at closing speeds [m/s] of any shape.
 
         Raises:
-            ValueError: As for `impact`.
+            ValueError: A speed is out of range, or no body has a mass.
 
         Warns:
             RangeWarning: The overlap at a speed exceeds the range of the law.

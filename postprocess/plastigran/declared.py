@@ -2,8 +2,9 @@
 """Declarations of quantities as attrs fields, with unit, bounds and meaning.
 
 Cases of experiments and settings of bulk decks are attrs classes of such fields. Values may be
-numbers or the text of a deck. Creating the object checks them; the error names the field, the value
-and the allowed range. Command lines, tables and pages read the `declarations` of a class.
+numbers or the text of a deck. The constructor checks the values; its error message names the field,
+the value and the allowed range. Command lines, tables and pages of the docs read the `declarations`
+of a class.
 """
 
 from __future__ import annotations
@@ -67,7 +68,7 @@ class Declaration:
         )
 
 
-#: Declaration of the radius of a grain, ball or tip.
+#: Declaration of the radius of a grain, of a ball or of the spherical tip of a rod.
 RADIUS = Declaration("radius", "m", 1e-12, 1e6, True, True, usual=(1e-9, 0.5))
 
 #: Declaration of an impact speed. Below 1e-9 m/s, the overlap of the impact would be smaller than
@@ -95,7 +96,7 @@ def number(
 
 
 def radius_field(meaning: str, default: Any = attrs.NOTHING) -> Any:
-    """Declare a field for the radius of a grain, ball or tip [m]."""
+    """Declare a field for the radius [m] of a grain, of a ball or of the tip of a rod."""
     return _field(attrs.evolve(RADIUS, meaning=meaning), read_number, default)
 
 
@@ -208,6 +209,6 @@ def _check_range(name: str, value: float, declaration: Declaration) -> None:
             f"{declaration.usual[0]:g} and {declaration.usual[1]:g} m. Check the unit: radii are "
             "in m, not mm",
             SizeWarning,
-            # Give this line as the origin of the warning, so that Python shows equal warnings once.
+            # Name this line as the origin, because Python shows equal warnings of a line once.
             stacklevel=1,
         )

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Materials: one file per material in `inputs/materials`, which decks include and Python reads.
 
-An installed package contains these files. You can use your own files of the same form by their
-path, or by $PLASTIGRAN_INPUTS.
+An installed package contains these files. You can also use files of your own in the same format:
+give the path of a file, or set $PLASTIGRAN_INPUTS to your own folder of input scripts.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ _NAME = re.compile(r"\w([\w .+-]*[\w.+-])?")
 #: Constants of a body in contact, by name: unit, range, default and meaning.
 BODY_CONSTANTS = {row["name"]: row for row in laws.body_constants()}
 
-#: Work of adhesion of two bodies.
+#: Declaration of the work of adhesion of two bodies.
 SURFACE_ENERGY = Declaration("work of adhesion", "J/m^2", 0, 1e3, True, True)
 
 
@@ -133,7 +133,7 @@ class Material:
         return law_class(name, adhesive="surface_energy" in others)(pair, **constants)
 
     def body(self) -> laws.Body:
-        """Return the constants for the laws."""
+        """Return the constants of the material as a body that the laws accept."""
         return laws.Body(*(getattr(self, name) for name in BODY_CONSTANTS))
 
 
@@ -156,7 +156,7 @@ def law_class(name: str, adhesive: bool = False) -> type:
 
     Args:
         name: Name of the law.
-        adhesive: Return the law with adhesion, if it can have adhesion.
+        adhesive: Whether to return the variant of the law with adhesion, if there is one.
 
     Raises:
         ValueError: The law does not exist; the message lists the available laws.
@@ -188,7 +188,7 @@ def _needed(law: str) -> list[str]:
 
 def folder() -> Path:
     """Return the folder with the material files that can be read by name."""
-    with suppress(EngineError):  # the folder may not exist; materials can still be read from files
+    with suppress(EngineError):  # $PLASTIGRAN_INPUTS may be wrong; use the project's folder then
         named = inputs_folder() / "materials"
         if named.is_dir():
             return named
@@ -201,7 +201,7 @@ def names() -> list[str]:
 
 
 def table() -> pd.DataFrame:
-    """Return the available materials: one row each, a column for each constant, in SI units.
+    """Return a table of the available materials: rows are materials, columns constants (SI units).
 
     Raises:
         ValueError: A file cannot be read.
@@ -300,7 +300,7 @@ def write_material(material: Material, file: Path, remark: str, force: bool = Fa
 
 
 def check_material_file(file: Path, force: bool = False) -> None:
-    """Check the file for `write_material` before the material is known."""
+    """Check whether `write_material` can write a file; errors are those of `write_material`."""
     if file.suffix != ".in":
         raise ValueError(f"{file} cannot be a material file: its name must end in .in")
     if not file.parent.is_dir():

@@ -29,7 +29,7 @@ class ProgressBar(tqdm):
         super().__init__(*arguments, file=sys.stderr, disable=not shown, **named)
 
     def reset(self, total: float | None = None) -> None:
-        """Start again, with another total if given."""
+        """Start the bar again; `total` replaces the earlier total."""
         # Prevent the constructor from drawing a bar at zero.
         display, self.display = self.display, lambda *_, **__: False
         try:

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Run LIGGGHTS, follow its progress and read its output."""
+"""Run LIGGGHTS or LAMMPS, follow the progress of a run and read its output."""

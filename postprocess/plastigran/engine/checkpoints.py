@@ -21,7 +21,7 @@ PATTERN = "checkpoint.*.restart"
 SIGNAL_FILE = "restart_forced_liggghts"
 #: Suffix of the checksum files, which `sha256sum --check` reads.
 CHECKSUM = ".sha256"
-#: Start and end of a restart file of LAMMPS.
+#: First and last bytes of a restart file of LAMMPS.
 _LAMMPS = b"LammpS RestartT\0"
 #: Number of values read from a file at a time.
 _BLOCK = 1 << 20
@@ -192,11 +192,12 @@ def fetch_signal_file(working_folder: Path, earlier: dict[Path, int], folder: Pa
 def is_complete(checkpoint: Path) -> bool:
     """Return whether a restart file is complete.
 
-    A file of LAMMPS begins and ends with the same words. In a file of LIGGGHTS, each rank writes
-    the number of its values (four bytes) and then the values (eight bytes each). The values of one
-    particle follow those of another; the first value of a particle is their number. A rank without
-    particles writes only the number 0. The function searches for the last part that has particles.
-    A file that ends exactly after the part of an earlier rank passes the test.
+    A file of LAMMPS begins and ends with the same 16 bytes. In a file of LIGGGHTS, each rank writes
+    the number of its values (four bytes) and then the values (eight bytes each). The first value of
+    each particle is the number of values of this particle. A rank without particles writes only the
+    number 0. The function looks for the last rank with particles. Its values must end at the end of
+    the file, or be followed only by zeros. The function cannot detect a file that ends exactly
+    after the values of an earlier rank.
     """
     size = checkpoint.stat().st_size
     if size < 4:

@@ -10,8 +10,8 @@ import pandas as pd
 
 from plastigran.engine.dumps import DumpError, read_tables
 
-# Columns of `compute pair/gran/local` and `compute wall/gran/local` by field, in the order of
-# LIGGGHTS, which does not depend on the input script.
+# Columns that `compute pair/gran/local` and `compute wall/gran/local` write for each field.
+# LIGGGHTS always writes the fields in this order, whatever their order in the input script.
 PAIR_COLUMNS = {
     "pos": ("x_i", "y_i", "z_i", "x_j", "y_j", "z_j"),
     "vel": ("vx_i", "vy_i", "vz_i", "vx_j", "vy_j", "vz_j"),
@@ -96,7 +96,7 @@ def read_contacts(
 def _column_names(
     path: str | Path, label: str, table: pd.DataFrame, kind: str | None, fields: str | None
 ) -> list[str]:
-    """Return the names of the columns, from the label if kind or fields are not given."""
+    """Return the column names; they follow from the label if kind or fields are not given."""
     if kind is None or fields is None:
         kind, _, fields = label.partition(" ")
         if kind not in ("PAIR", "WALL"):
@@ -108,7 +108,7 @@ def _column_names(
 
 
 def _touching(table: pd.DataFrame) -> pd.DataFrame:
-    """Return the contacts with overlap or force; all if the table has no such column."""
+    """Return the contacts with overlap or force; all contacts if the table has neither column."""
     signs = [table["overlap"] > 0] if "overlap" in table else []
     for force in (["fx", "fy", "fz"], ["fnx", "fny", "fnz"]):
         if set(force) <= set(table):

@@ -117,7 +117,10 @@ def _with_values(text: str, settings: Mapping[str, str]) -> str:
 
 
 def _possible_values(include: str, settings: Mapping[str, str], deck: Path) -> str:
-    """Return the possible values of the setting in the name of an include, in words; else ""."""
+    """Return a phrase with the possible values of the setting in the name of an included file.
+
+    The phrase is empty if the name does not contain exactly one setting.
+    """
     names = [name for name in _REFERENCE.findall(include) if name not in ("inputs", "materials")]
     if len(names) != 1 or names[0] not in settings:
         return ""
@@ -171,7 +174,7 @@ def find_deck(deck: str | Path) -> Path:
 def read_deck(deck: str | Path, values: Mapping[str, object], folder: Path) -> DeckSource:
     """Read a deck with its includes, as LIGGGHTS reads them in the folder of the deck.
 
-    Includes whose names contain variables that are not settings are not read.
+    An included file is not read if its name contains a variable that is not a setting.
 
     Args:
         deck: Name or path, see `find_deck`.

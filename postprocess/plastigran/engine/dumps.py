@@ -2,8 +2,8 @@
 """Read dumps of LIGGGHTS, completely or frame by frame.
 
 Every reader returns a pandas DataFrame in SI units with one row per item and time step. Columns
-have the names of the file. If a full disk or a killed run has truncated a file, its complete part
-is read with a `TruncatedFileWarning`.
+have the names of the file. A full disk or a killed run may truncate a file. The readers then return
+the complete frames, with a `TruncatedFileWarning`.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-#: Number of rows read at a time.
+#: Smallest number of rows that are read at a time.
 BATCH = 100_000
 #: Prefixes of columns from computes, fixes and variables.
 PREFIXES = ("c_", "f_", "v_")

@@ -18,7 +18,7 @@ _locked: set[tuple[Path, int]] = set()
 def lock_folder(folder: str | Path) -> Iterator[None]:
     """Create a folder and lock it for this thread; the thread may lock it repeatedly.
 
-    The lock ends with the process.
+    If the process ends early, the lock ends, too.
 
     Raises:
         ValueError: Another process or thread has locked the folder.

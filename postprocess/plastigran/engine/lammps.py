@@ -55,7 +55,10 @@ def lammps_environment() -> dict[str, str]:
 
 
 def lammps_start(ranks: int = 1) -> list[str]:
-    """Return the start of the command line: LAMMPS, with the MPI beside the program."""
+    """Return the first words of the command line: LAMMPS, after `mpiexec` for several ranks.
+
+    `mpiexec` must be in the folder of LAMMPS.
+    """
     program = lammps_path()
     launcher = [str(program.parent / "mpiexec"), "-n", str(ranks)] if ranks > 1 else []
     return [*launcher, str(program)]

@@ -36,19 +36,19 @@ _PLANNED = re.compile(r"planned steps = (\d+)\s*$")
 _ERROR = re.compile(r"^ERROR(?: on proc \d+)?: .*", re.MULTILINE)
 #: Warning of the plugin or launcher, without its position in the source code.
 _WARNING = re.compile(r"^WARNING: (?:\S+/)?plastigran: (.*?)(?: \(\S+:\d+\))?$", re.M)
-#: Machine-readable line of a contact model before its first run.
+#: Line in which a contact model of this project prints the name of its law before the first run.
 _LAW = re.compile(r"^plastigran law (\w+)$", re.M)
 #: Echoed pair_style command. LIGGGHTS echoes a command first as typed, then with the values of
 #: variables; only the latter matches.
 _PAIR_STYLE = re.compile(r"^pair_style\s+([^$\n]+)$", re.M)
 _UNITS = re.compile(r"^units\s+(\w+)\s*$", re.M)
-#: Machine-readable line at the end of a run.
+#: Line at the end of a run for each law whose validity range was exceeded.
 _EXCESS = re.compile(r"^plastigran range (\w+) contacts=\S+ furthest=(\S+)$", re.M)
 _NUMBER = re.compile(r"\d[\d.e+-]*")
 
 
 def log_path(folder: str | Path) -> Path:
-    """Return the path of the log of a run; LIGGGHTS' if there is none."""
+    """Return the path of the log of a run; without a log, the path that LIGGGHTS would write."""
     paths = [Path(folder) / name for name in LOGS.values()]
     return next((path for path in paths if path.is_file()), paths[0])
 
@@ -102,7 +102,7 @@ class Progress:
         step: Step of the newest line.
         timestep: Time step of the newest line [s]; 0 if the log does not show it.
         planned: Total steps of all runs of the deck; 0 if the log does not show it.
-        earlier: Steps of completed runs.
+        earlier: Number of steps of all completed runs.
     """
 
     run: int = 0
@@ -211,7 +211,7 @@ def read_thermo(path: str | Path) -> pd.DataFrame:
 
     Returns:
         One row per output line: `run` (0, 1, … in the order of the `run` commands), then the
-            columns of the log, with common ones renamed by `THERMO_COLUMNS`.
+        columns of the log. `THERMO_COLUMNS` contains new names of common columns.
 
     Raises:
         DumpError: The log has no thermodynamic output, or a step is not a whole number.
@@ -239,7 +239,7 @@ def thermo_table(path: str | Path, runs: list[LoggedRun]) -> pd.DataFrame:
 
 
 def _number(words: list[str]) -> float:
-    """Return the only number in the words of a command; NaN if there is none or several."""
+    """Return the number that is the only word in a list; NaN for any other list."""
     try:
         (word,) = words
         return float(word.strip("\"'"))
@@ -248,7 +248,10 @@ def _number(words: list[str]) -> float:
 
 
 def _distinct(names: list[str]) -> list[str]:
-    """Return distinct column names: equal names get a number, because LIGGGHTS truncates names."""
+    """Return distinct column names: repeated names get a number.
+
+    LIGGGHTS truncates long names, so columns may have the same name.
+    """
     columns: list[str] = []
     counts: dict[str, int] = {}
     for name in (THERMO_COLUMNS.get(name, name) for name in names):

@@ -81,7 +81,7 @@ class Host:
         log: Name of its log.
         start: Function that returns the start of a command line for a number of ranks.
         environment: Function that returns its environment.
-        additions: Names of the environment variables that a user must set, too.
+        additions: Names of environment variables that a user must set to run the command line.
     """
 
     name: str
@@ -120,7 +120,10 @@ def typed_command(
     ranks: int = 1,
     host: Host | None = None,
 ) -> str:
-    """Return shell commands equivalent to `command`, with folders and links; create nothing."""
+    """Return shell commands that make the folder and its links, and run the deck like `command`.
+
+    This function itself creates nothing.
+    """
     host = host or LIGGGHTS
     words, links = _command(deck, variables, folder, ranks, host)
     if host.additions:
@@ -162,9 +165,9 @@ def misread(path: str) -> bool:
 def environment() -> dict[str, str]:
     """Return the environment for mpirun, with the permission to run as root.
 
-    If there are more ranks than cores, waiting ranks yield the processor. With
-    OMPI_MCA_mpi_yield_when_idle=1, all waiting ranks do. This setting is best on a busy machine; on
-    an idle machine, ranks are faster without it.
+    Open MPI lets waiting ranks yield the processor if there are more ranks than cores. With
+    OMPI_MCA_mpi_yield_when_idle=1, waiting ranks always yield the processor. Use this setting on a
+    busy machine. On an idle machine, ranks are faster without it.
     """
     permission = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
     return (permission if os.geteuid() == 0 else {}) | os.environ
@@ -302,9 +305,12 @@ def _stop(process: subprocess.Popen, folder: Path) -> None:
 
 
 def _reason(returncode: int, output: str, host: str) -> str:
-    """Return why a run ended, from its exit code and its output (log and screen), with warnings."""
+    """Return the reason for the end of a run as text, with warnings.
+
+    The reason follows from the exit code and from the output (log and screen).
+    """
     if error := find_error(output):
-        # Quote the first warnings, which often show the cause, and the latest one.
+        # Quote the first two warnings, which often show the cause, and the last warning.
         first, last = find_warnings(output)[:2], find_warnings(output)[2:][-1:]
         return f"{error}; earlier warnings: {'; '.join(first + last)}" if first else error
     # mpirun returns 128 plus the number of the signal.

@@ -27,10 +27,11 @@ def read_spectra(path: str | Path) -> pd.DataFrame:
         path: File.
 
     Returns:
-        Columns: `step` of the table, which counts the impacts that ended since the previous table;
-        `quantity`, a key of QUANTITIES; `with`, PARTICLE or the ID of a wall; atom types `type` and
-        `other_type`; `lower` and `upper` edge of the class, both 0 for values that are not
-        positive; `count` of impacts and `sum` of their values. Units are those of the deck.
+        Columns: `step`, at which the table was written; `quantity`, a key of QUANTITIES; `with`,
+        PARTICLE or the ID of a wall; atom types `type` and `other_type`; `lower` and `upper` edge
+        of the class, both 0 for values that are not positive; `count`, the number of impacts; and
+        `sum`, the sum of their values. Each table counts the impacts that ended since the previous
+        table. Units are those of the deck.
 
     Raises:
         DumpError: The file is not a table of collision spectra.
