@@ -69,14 +69,16 @@ def calibrate(
     """Find the constants of a metal from its yield strength, hardness, rebound hardness or drops.
 
     Args:
-        youngs_modulus: E [Pa].
-        poissons_ratio: nu [-].
+        youngs_modulus: Young's modulus E [Pa].
+        poissons_ratio: Poisson's ratio nu [-].
         density: Density [kg/m^3].
-        yield_strength: sigma_Y [Pa], if known.
-        hardness: HV, or a text such as "45HRC" or "200HB".
-        leeb: Reading of a rebound tester: HLD, or a text such as "750HLG".
-        drops: A drop test, or a file of one with a ball of the metal and a rigid plate.
-        plastic_modulus: H, slope of stress versus plastic strain [Pa]; 0 for perfectly plastic.
+        yield_strength: Yield strength sigma_Y [Pa], if known.
+        hardness: Vickers hardness HV as a number, or a text such as "45HRC" or "200HB".
+        leeb: Reading of a rebound tester: HLD as a number, or a text such as "750HLG".
+        drops: Drop test, or the path of its file. For a file, the ball is of the metal and the
+            plate is rigid.
+        plastic_modulus: Plastic modulus H, the slope of stress versus plastic strain [Pa]; 0 for a
+            perfectly plastic metal.
         rate_coefficient: Relative increase of yield strength per e-fold increase of strain rate,
             with the strength given at 1/s. For steel with a hardness or rebound hardness, the
             default is the value of steel: the strain rates of these tests differ much from the
@@ -88,7 +90,7 @@ def calibrate(
             the metal on a rigid plane. The default is the range of the measurement, or 1 to 300
             yield speeds without measured impacts.
         force_ratio: Largest force / yield force of a finite-element fit of `vu_quoc_zhang`; None
-            for no finite elements.
+            to omit the finite elements.
         radius: Radius of the finite-element sphere [m].
         strain: Kinematics of the finite elements, small or finite.
         name: Name of the metal.

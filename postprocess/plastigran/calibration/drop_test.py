@@ -49,8 +49,8 @@ class DropTest:
         restitution: Coefficients of restitution (N,).
         ball: Material of the ball.
         plate: Material of the plate, or `RIGID`.
-        radius: Radius of the ball [m]. Restitution depends on it only if the strength depends on
-            the strain rate.
+        radius: Radius of the ball [m]. It affects the restitution only if the yield strength
+            depends on the strain rate.
 
     Raises:
         ValueError: A speed or restitution is out of range, the numbers of speeds and restitutions
@@ -156,5 +156,5 @@ def _read_drop(label: str, cells: dict[str, str]) -> tuple[float, float]:
 
 
 def _fall_speed(height: float) -> float:
-    """Return the speed after a free fall from a height [m] in m/s."""
+    """Return the speed [m/s] after a free fall from a height [m]."""
     return float(np.sqrt(2 * GRAVITATIONAL_ACCELERATION * height))

@@ -24,11 +24,12 @@ class ExpectedError:
     """Errors of a law compared with finite elements, as fractions; None if unknown.
 
     Attributes:
-        regime: Contacts of the comparison: perfectly plastic or hardening, and "large a/R" if the
-            contacts reach it. Without comparison, the reason.
+        regime: Kinds of contact in the comparison, names in `KINDS`. If there is no comparison, the
+            reason.
         speed_ratio: Smallest and largest impact speed / yield speed.
-        restitution, restitution_largest: Rms and largest error of the coefficient of restitution.
-        force, force_largest: Rms and largest error of the largest force.
+        restitution, restitution_largest: Rms error and largest error of the coefficient of
+            restitution.
+        force, force_largest: Rms error and largest error of the peak force.
     """
 
     regime: str
@@ -72,7 +73,7 @@ def expected_error(
         law: Name of the law.
         speed_ratio: Smallest and largest speed / yield speed [-].
         hardening: Whether the metal hardens.
-        contact_radius_ratio: a/R at the largest speed [-].
+        contact_radius_ratio: Contact radius / sphere radius at the largest speed [-].
     """
     perfectly_plastic, hardens, wide = KINDS
     kinds = [hardens if hardening else perfectly_plastic]

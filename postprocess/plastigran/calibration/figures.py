@@ -70,10 +70,10 @@ def drops_figure(metal: CalibratedMetal) -> Figure:
 
 
 def finite_elements_figure(metal: CalibratedMetal, progress: bool = False) -> Figure:
-    """Draw the law, and `vu_quoc_zhang` with fitted constants, with finite elements.
+    """Draw two laws and the finite elements of the calibration.
 
-    The panels show force versus overlap, contact radius versus force, and restitution versus
-    impact speed.
+    The laws are the law of the metal, and `vu_quoc_zhang` with fitted constants. The panels show
+    force versus overlap, contact radius versus force, and restitution versus impact speed.
     """
     pressing = metal.pressed.pressing
     unloadings = metal.pressed.unloadings(progress)

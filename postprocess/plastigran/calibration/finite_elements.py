@@ -30,7 +30,7 @@ class PressedSphere:
     Attributes:
         pressing: Compression to the largest force, and unloading.
         fitted: Constants of `vu_quoc_zhang`.
-        settings: Resolution.
+        settings: Settings of the finite elements.
     """
 
     pressing: Pressing
@@ -40,8 +40,8 @@ class PressedSphere:
     def unloadings(self, progress: bool = False) -> pd.DataFrame:
         """Return unloadings from the largest force and from smaller forces, one per row.
 
-        The columns are those of `Pressing.unloadings`, and `speed` [m/s] of an impact with the
-        largest force of the row.
+        The columns are those of `Pressing.unloadings` and `speed` [m/s]. An impact at this speed
+        reaches the largest force of the row.
         """
         material, radius = self.pressing.material, self.pressing.radius
         forces = [fraction * self.fitted.force_max for fraction in UNLOADING_FRACTIONS]
@@ -62,11 +62,13 @@ def press_sphere(
     strain: str,
     progress: bool,
 ) -> PressedSphere:
-    """Compress a sphere and fit C_a and K_c; `plastigran.fem.cache` keeps the result.
+    """Compress a sphere and fit the constants C_a and K_c of the law `vu_quoc_zhang`.
+
+    `plastigran.fem.cache` stores the result.
 
     Args:
         metal: Material of the sphere; elastic constants, density and yield strength are used.
-        plastic_modulus: H, slope of stress versus plastic strain [Pa].
+        plastic_modulus: Plastic modulus H, the slope of stress versus plastic strain [Pa].
         force_ratio: Largest force / yield force.
         radius: Radius of the sphere [m]; the constants do not depend on it.
         strain: "small", or "finite" for a/R above 0.1.

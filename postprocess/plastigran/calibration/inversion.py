@@ -2,13 +2,14 @@
 """Yield strength with which a law reproduces measured restitutions, and its uncertainty.
 
 A measured restitution is the law's restitution times a log-normal factor. The estimated strength
-minimizes the sum of squares of the logarithm of this factor. Its 95 % interval contains every
-strength whose sum of squares exceeds the smallest one only by chance (profile likelihood). This
-needs no linearization. The interval has no upper end if the impacts are nearly elastic.
+minimizes the sum of squares of the logarithm of this factor. The 95 % interval contains every
+strength whose sum of squares is not significantly larger than the smallest sum (profile
+likelihood). This method needs no linearization. The interval has no upper end if the impacts are
+nearly elastic.
 
-The interval is the larger of two intervals. One uses the stated scatter of a measurement and a
-normal distribution. One uses the scatter of the n measurements about the law and Student's t
-distribution with n - 1 degrees of freedom.
+The interval is the larger of two intervals. The first interval uses the stated scatter of a
+measurement and a normal distribution. The second interval uses the scatter of the n measurements
+about the law, and Student's t distribution with n - 1 degrees of freedom.
 """
 
 from __future__ import annotations
@@ -52,15 +53,16 @@ def estimate_strength(
     """Fit the yield strength to measured restitutions.
 
     Args:
-        restitution: Function from yield strength [Pa] to the law's restitution of each impact (N,).
+        restitution: Function that returns the restitution of each impact (N,) by the law, for a
+            yield strength [Pa].
         measured: Coefficients of restitution (N,), above 0 and at most 1.
         bounds: Smallest and largest strength of the search [Pa].
         scatter: Relative standard deviation of one measurement.
 
     Raises:
         ValueError: No impact yields at the best strength; the message states the lower bound. Or a
-            restitution is lower than the law's at the smallest strength. Or the restitution does
-            not depend on the strength.
+            measured restitution is lower than the restitution by the law at the smallest strength.
+            Or the restitution does not depend on the strength.
     """
     measured = np.asarray(measured, dtype=float)
     target = np.log(measured)
@@ -112,7 +114,7 @@ def estimate_strength(
 def _first_positive(
     excess: Callable[[float], float], start: float, grid: np.ndarray
 ) -> float | None:
-    """Return where the excess first becomes positive along a grid; None if nowhere."""
+    """Return the value at which `excess` first becomes positive along a grid; None without one."""
     inside = start
     for outside in grid:
         if excess(outside) > 0:

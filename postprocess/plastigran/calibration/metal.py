@@ -26,15 +26,16 @@ class CalibratedMetal:
 
     Attributes:
         material: Metal for `plastigran.Contact`.
-        yield_strength_interval: 95 % interval [Pa]. Both ends are the value itself if it was given.
-            The upper end is infinite if the measurement gives only a lower bound.
-        source: Source of strength and interval.
-        law: Law to use.
-        expected_error: Expected error of that law.
+        yield_strength_interval: 95 % confidence interval [Pa]. If the yield strength was given,
+            both ends equal this strength. The upper end is infinite if the measurement gives only
+            a lower bound.
+        source: Source of the yield strength and of its interval.
+        law: Name of the law to use.
+        expected_error: Expected error of this law.
         yield_speed: Yield speed of a sphere of the metal on a rigid plane [m/s].
         notes: Remarks for the user, one sentence each.
-        drops: Drop test, if it was the measurement.
-        pressed: Finite elements, if they were requested.
+        drops: Drop test, if the metal was calibrated from drops.
+        pressed: Finite-element compression, if it was requested.
     """
 
     material: Material
@@ -56,8 +57,9 @@ class CalibratedMetal:
     def constants(self) -> dict[str, float]:
         """Constants C_a P_Y/a_Y and K_c P_Y of the law `vu_quoc_zhang` [-], by name.
 
-        With finite elements of this metal, they are fitted to these. Otherwise they are the
-        defaults of the law, which hold for perfectly plastic metals up to 41 P_Y.
+        If finite elements of this metal were computed, the constants are fitted to their results.
+        Otherwise, the constants are the defaults of the law, which hold for perfectly plastic
+        metals up to 41 P_Y.
         """
         if self.pressed is not None:
             return {name: getattr(self.pressed.fitted, name) for name in FITTED}

@@ -52,7 +52,7 @@ def soften(material: Material, factor: float) -> Material:
 
     Args:
         material: Original material.
-        factor: s, softened / original modulus [-], at most 1.
+        factor: Softening factor s, softened / original modulus [-], at most 1.
 
     Raises:
         ValueError: The factor or the modulus is not a number or out of range.
@@ -74,7 +74,7 @@ def comparison(
 
     Args:
         material: Original material.
-        factor: s [-].
+        factor: Softening factor s, softened / original modulus [-].
         radius: Radius of the spheres [m].
         speed: Closing speed [m/s].
         laws: Names of laws; by default all laws for spheres whose constants the material has.
@@ -111,11 +111,13 @@ def comparison(
 
 
 def lowest_factor(impact: float, rest: Callable[[float], float] | None = None) -> float:
-    """Return the lowest factor at which overlaps of impacts and at rest are below SOUND_OVERLAP.
+    """Return the lowest softening factor that keeps all overlaps below SOUND_OVERLAP.
+
+    The overlaps are those of the fastest impact and of grains at rest under a load.
 
     Args:
         impact: Overlap / radius of the fastest impact of the original grains [-].
-        rest: Function from factor to overlap / radius at rest under a load [-].
+        rest: Function that returns the overlap / radius at rest under the load [-] for a factor.
     """
     lowest = (impact / SOUND_OVERLAP) ** (-1 / TIME_POWER)
     lowest = min(1.0, max(lowest, _FACTOR.lower))
@@ -134,9 +136,9 @@ def resting_overlap(material: Material, radius: float, depth: float, law: str = 
 
     Args:
         material: Material of the grains.
-        radius: R [m].
-        depth: Depth h of the bed above them [m].
-        law: Law of the contact, in first loading.
+        radius: Radius R of the grains [m].
+        depth: Depth h of the bed above the grains [m].
+        law: Name of the contact law; the contact is in first loading.
 
     Returns:
         Overlap / radius; 1 if the contact cannot carry the load.

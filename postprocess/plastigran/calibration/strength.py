@@ -69,12 +69,13 @@ class Strength:
 def from_hardness(hardness: Hardness, plastic_modulus: float, youngs_modulus: float) -> Strength:
     """Return the yield strength for a hardness.
 
-    The strength is the flow stress H/2.8 at 8 % strain minus the hardening up to that strain.
+    The strength is the flow stress H/2.8 at 8 % strain minus the hardening up to this strain, with
+    the mean indentation pressure H.
 
     Args:
         hardness: Hardness of the metal.
-        plastic_modulus: H_p, slope of stress versus plastic strain [Pa].
-        youngs_modulus: E [Pa], which identifies steel.
+        plastic_modulus: Plastic modulus, the slope of stress versus plastic strain [Pa].
+        youngs_modulus: Young's modulus E [Pa], which identifies steel.
 
     Raises:
         ValueError: Hardening alone exceeds the flow stress.

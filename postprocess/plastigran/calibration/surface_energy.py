@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Surface energy of two bodies from their pull-off force or their sticking speed.
 
-For `jkr`, the surface energy follows from a closed form (Johnson, Kendall & Roberts 1971, Proc. R.
-Soc. Lond. A 324:301): F_c = 3/2 pi Gamma R*, or the V_s of `physics.adhesion.jkr_sticking_speed`.
-For a law that yields, it is found numerically, so that the law has the measured pull-off force
-after a given load, or the measured sticking speed.
+For `jkr`, the surface energy Gamma follows from a closed form (Johnson, Kendall & Roberts 1971,
+Proc. R. Soc. Lond. A 324:301): the pull-off force 3/2 pi Gamma R*, or the sticking speed of
+`physics.adhesion.jkr_sticking_speed`. For a law that yields, the surface energy is found
+numerically: the law then has the measured pull-off force after a given load, or the measured
+sticking speed.
 """
 
 from __future__ import annotations
@@ -137,7 +138,7 @@ def calibrate_adhesion(
         radius_other: Radius of body b [m]; None for a flat.
         pull_off_force: Force that separates the bodies [N].
         sticking_speed: Closing speed below which the bodies stick [m/s].
-        load: Largest compressive force before pull-off [N]; it has an effect only for laws that
+        load: Largest compressive force before pull-off [N]. It has an effect only for laws with
             yield.
         law: Name of a law with a surface energy.
 
@@ -228,7 +229,8 @@ def _jkr_from_speed(contact: Callable[[float], Contact], speed: float) -> float:
 def _from_force(contact: Callable[[float], Contact], load: float, force: float) -> float:
     """Return the surface energy for a pull-off force.
 
-    Flattening only increases the pull-off force, so the surface energy is at most that of jkr.
+    Plastic flattening increases the pull-off force. The surface energy is therefore at most the
+    value for `jkr`.
     """
     upper = _jkr_from_force(contact, load, force)
     if not LEAST < upper < SURFACE_ENERGY.upper:
@@ -244,7 +246,7 @@ def _from_speed(contact: Callable[[float], Contact], speed: float) -> float:
 
 
 def _root(reached: Callable[[float], bool], upper: float) -> float:
-    """Return the least surface energy at which a condition holds. It must hold at `upper`."""
+    """Return the smallest surface energy that meets a condition. `upper` must meet it."""
     low, high = log(LEAST), log(upper)
     while high - low > 1e-13:
         middle = 0.5 * (low + high)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Base class of experiments, which adds studies of many cases to the class `Case`.
 
-docs/add_an_experiment.md shows how to write one.
+docs/add_an_experiment.md shows how to write an experiment.
 """
 
 from __future__ import annotations
@@ -107,11 +107,11 @@ class Experiment(Case):
         force: bool = False,
         **settings: Any,
     ) -> Runs:
-        """Run the study of the experiment's command.
+        """Run the same study as the command of the experiment.
 
         Args:
             folder, jobs, progress, force: As for `sweep`.
-            settings: Values of the settings in `flags`; omitted ones have their defaults.
+            settings: Values of the settings in `flags`; omitted settings have their defaults.
         """
         settings = cls.study_settings(**settings)
         return sweep(cls.cases(**settings), folder, jobs, progress, settings, force)

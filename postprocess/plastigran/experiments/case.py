@@ -84,7 +84,7 @@ class Case:
         return {}
 
     def row(self, measured: Any) -> dict[str, object]:
-        """Return one row of the results table: the case, measured values, and `*_predicted`."""
+        """Return one row of the results table: the case, measured values and predicted values."""
         predicted, row = self.predict(), self.facts()
         for name in self.quantities:
             row[name] = getattr(measured, name)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Central impacts of bodies of any shape in one call."""
+"""Function that runs central impacts of spheres or of cylinders in LIGGGHTS."""
 
 from __future__ import annotations
 
@@ -43,14 +43,14 @@ def collide(
         materials: One or several materials, names or file paths.
         radius: Radius of the bodies [m].
         geometry: Name of the deck; by default a body on a rigid plane.
-        folder: Folder of LIGGGHTS' files; by default they are not kept.
+        folder: Folder for the files of LIGGGHTS; by default, the files are not kept.
         jobs: LIGGGHTS processes at a time; by default all cores.
         force: Whether to overwrite the results of an earlier sweep in `folder`.
         fields: Further fields of the case, such as a cylinder's `mass`.
 
     Returns:
-        The runs, with `.table`, `.outcomes` and `.figure("restitution")`. `print` shows the table
-        with remarks.
+        The runs, with `.table`, `.outcomes` and `.figure("restitution")`. `print` shows the table,
+        followed by remarks.
 
     Raises:
         ValueError: A case cannot be run; the message gives the reason.

@@ -26,7 +26,7 @@ class CollisionOutcome:
     Attributes:
         closing_speed: Speed before contact [m/s].
         coefficient_of_restitution: Normal separation / closing speed [-]; 0 if the bodies stick.
-        force_max: Largest force [N]; if measured, the largest value of the frames.
+        force_max: Largest force [N]. A measured value is the largest force in any frame.
         overlap_max: Largest overlap [m].
         overlap_res: Overlap at zero force during unloading [m].
         loading_time: Time from first touch to largest overlap [s]; None if not predicted.
@@ -113,8 +113,8 @@ def measure(trajectory: str | Path | pd.DataFrame) -> CollisionOutcome:
 def measure_loop(loop: pd.DataFrame) -> CollisionOutcome:
     """Measure the collision in its table `CollisionOutcome.loop`; see `measure`.
 
-    The separation speed is the speed in the first frame without force, because the contact does not
-    cause later changes.
+    The separation speed is the speed in the first frame without force. Later changes of the speed
+    are not due to the contact.
 
     Raises:
         CollisionError: The bodies never touch, or are still in contact at the end.
@@ -139,7 +139,7 @@ def measure_loop(loop: pd.DataFrame) -> CollisionOutcome:
     touch = _crossing(time, overlap, speed, start - 1, 0.0)
     turning_time, overlap_max = _turning_point(time, overlap, speed, turn - 1)
 
-    pressed = turn + int(np.argmin(np.append(force[turn:], 0) > 0)) - 1  # last frame that repels
+    pressed = turn + int(np.argmin(np.append(force[turn:], 0) > 0)) - 1  # last repulsive frame
     rebound = slice(max(pressed - 3, turn), pressed + 1)
     attracted = force[pressed + 1] < 0
     if attracted:
@@ -162,7 +162,7 @@ def measure_loop(loop: pd.DataFrame) -> CollisionOutcome:
 
 
 def _crossing(time, value, rate, k: int, level: float) -> float:
-    """Return when `value` crosses `level` after time[k], from its values and rates."""
+    """Return the time at which `value` crosses `level`, extrapolated linearly from frame k."""
     return time[k] + (level - value[k]) / rate[k]
 
 
@@ -228,7 +228,7 @@ def _end_of_bent_power(overlap, force) -> tuple[float, Callable]:
         z, over = line(residual)
         return np.subtract(*(np.diff(over) / np.diff(z)))
 
-    # Search far from the last frame first, because there is another root close to it.
+    # Begin the search far from the last frame, because a second root lies close to this frame.
     reach = overlap[-1] - (overlap[0] - overlap[-1]) * np.geomspace(3, 1e-6, 40)
     bends = np.array([bend(residual) for residual in reach])
     signs = np.flatnonzero(bends[1:] * bends[:-1] < 0)

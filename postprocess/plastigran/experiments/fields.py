@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Declarations for cases: flags of studies, and fields and checks of several cases."""
+"""Declarations that experiments share: flags of studies, and fields and checks of cases."""
 
 from __future__ import annotations
 
@@ -125,7 +125,7 @@ def check_overlap(case: Any, overlap: float, radius: float, limit: float, radii:
         overlap: Expected overlap [m].
         radius: Reference radius [m].
         limit: Largest allowed ratio of the overlap to the radius.
-        radii: Name of the reference radius in words, plural.
+        radii: Plural noun for the reference radius in the message, such as "tip radii".
 
     Raises:
         ValueError: The overlap is too large.

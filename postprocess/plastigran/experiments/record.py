@@ -17,11 +17,11 @@ import pandas as pd
 from plastigran.experiments.case import Case
 from plastigran.materials import Material
 
-#: Results table in the folder of a sweep.
+#: Name of the file with the results table of a sweep.
 TABLE = "impacts.csv"
-#: Record in the folder of a sweep: command, settings, versions.
+#: Name of the file with the record of a sweep: command, settings, versions.
 STUDY = "study.json"
-#: Columns of text, if the record does not name them.
+#: Columns that contain text. The list in the record replaces this list.
 WORDS = ("law", "material", "wall", "options", "geometry")
 #: Types of the entries of a record in study.json.
 _TEXTS = {"command": str, "words": list, "versions": dict}
@@ -42,7 +42,8 @@ def add_row(path: Path, row: Mapping[str, object]) -> None:
 def read_table(path: Path) -> tuple[pd.DataFrame, list[str]]:
     """Return the complete rows of a table, and sentences on omitted rows.
 
-    Columns that the record declares as text are read as text, because a material may be named 304.
+    Columns that the record declares as text are read as text, because a material may have the name
+    "304".
 
     Raises:
         OSError, ValueError: The table is missing or invalid.
@@ -68,7 +69,11 @@ def _cells(line: str) -> list[str]:
 
 
 def _damaged_rows(head: list[str], rows: list[list[str]], words: list[str]) -> list[int]:
-    """Return the indices of damaged rows: wrong length, empty word, or text among numbers."""
+    """Return the indices of damaged rows.
+
+    A row is damaged if its length is wrong, if a text cell is empty, or if a column of numbers has
+    text in this row.
+    """
     damaged = {k for k, row in enumerate(rows) if len(row) != len(head)}
     for place, name in enumerate(head):
         cells = {k: row[place] for k, row in enumerate(rows) if k not in damaged}

@@ -28,14 +28,14 @@ if TYPE_CHECKING:
 
 @attrs.frozen(slots=False, eq=False, repr=False)
 class Runs:
-    """Results of a sweep.
+    """Results of a sweep, which runs several cases of one experiment.
 
     Attributes:
         experiment: Class of the cases.
-        outcomes: Outcomes by case.
+        outcomes: Outcome of each case, measured or predicted.
         table: One row per case, in the given order; columns of `Case.row`.
         settings: Settings of the study, if any.
-        by_theory: Whether the outcomes are theory, computed without LIGGGHTS.
+        by_theory: Whether theory predicted the outcomes, without LIGGGHTS.
     """
 
     experiment: type[Case]
@@ -137,8 +137,8 @@ def sweep(
         ValueError: `cases` is empty, `jobs` is out of range, two materials have one name, or
             `folder` contains results or is in use.
         EngineError: LIGGGHTS is missing.
-        EngineError, ValueError: A case failed. The error is that of the first failed case; the rows
-            of all other cases have been written.
+        EngineError, ValueError: A case failed. The error is the error of the first failed case. The
+            rows of all successful cases have been written.
     """
     cases, folder, settings = list(cases), Path(folder), dict(settings or {})
     if not cases:

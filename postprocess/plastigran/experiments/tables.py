@@ -40,8 +40,8 @@ def format_table(table: pd.DataFrame, shown: Sequence[str] = ()) -> str:
 
     Args:
         table: Results table.
-        shown: Columns to show. Missing and empty columns are skipped, and those of `VARIED` with
-            one value; by default all.
+        shown: Columns to show; by default, all columns. Missing and empty columns are skipped. If
+            `shown` is given, columns of `VARIED` with a single value are skipped, too.
     """
     columns = [name for name in shown or table if name in table and not table[name].isna().all()]
     if shown:
@@ -64,7 +64,7 @@ def _cell(value: object) -> str:
 
 
 def format_range(table: pd.DataFrame) -> str:
-    """Return the speed above which each law was used outside its range, as lines of text."""
+    """Return lines of text: for each law, the lowest speed that exceeds the range of the law."""
     several = "material" in table and table["material"].nunique() > 1
     outside = table.loc[~table["in_range"]]
     lines = []

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Closed forms and numerical integrations for comparison with runs; numpy and scipy only."""
+"""Theory for comparison with simulations: closed forms and numerical integrations."""

@@ -15,8 +15,8 @@ from plastigran import laws
 def _separation_work() -> float:
     """Return the work of separation from zero overlap to pull-off.
 
-    The work is in units of (Gamma^5 R*^4/E*^2)^(1/3). With E* = R* = 1 and c = (2 pi Gamma)^(1/2),
-    force and overlap are polynomials in s = a^(1/2).
+    The work is in units of (Gamma^5 R*^4/E*^2)^(1/3). Let a be the contact radius, E* = R* = Gamma
+    = 1 and c = (2 pi)^(1/2). In the JKR theory, force and overlap are then polynomials in a^(1/2).
     """
     c = (2 * pi) ** 0.5
     overlap = np.polynomial.Polynomial([0, -c, 0, 0, 1])
@@ -41,9 +41,9 @@ def jkr_sticking_speed(
 
     Args:
         surface_energy: Work of adhesion Gamma [J/m2].
-        radius_eff: R* [m].
-        youngs_modulus_eff: E* [Pa].
-        mass_eff: m* [kg].
+        radius_eff: Effective radius R* [m].
+        youngs_modulus_eff: Effective Young's modulus E* [Pa].
+        mass_eff: Effective mass m* [kg].
     """
     gamma, radius = np.asarray(surface_energy, float), np.asarray(radius_eff, float)
     work = _SEPARATION_WORK * np.cbrt(gamma**5 * radius**4 / np.square(youngs_modulus_eff))
@@ -74,8 +74,8 @@ def sticking_speed(
 
     Args:
         law: Law between the bodies.
-        radius_eff: R* [m].
-        mass_eff: m* [kg].
+        radius_eff: Effective radius R* [m].
+        mass_eff: Effective mass m* [kg].
         slowest, fastest: Bounds of the search [m/s].
 
     Raises:
@@ -111,7 +111,7 @@ def plastic_pull_off_force(
 
     Args:
         surface_energy: Work of adhesion Gamma [J/m2].
-        youngs_modulus_eff: E* [Pa].
+        youngs_modulus_eff: Effective Young's modulus E* [Pa].
         pressure: Mean pressure p at the largest load, without adhesion [Pa].
         contact_radius: Contact radius a_0 at the largest load [m].
     """

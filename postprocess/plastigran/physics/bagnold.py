@@ -49,7 +49,7 @@ def fit_profile(grains: pd.DataFrame, diameter: float) -> Profile:
     """
     held = (grains[["vx", "vy", "vz"]] == 0).all(axis="columns")
     base = grains[held]
-    upper = base["z"] > base["z"].median()  # use only the upper one of the two layers of the base
+    upper = base["z"] > base["z"].median()  # select the upper of the two layers of the base
     flow = grains[~held].assign(
         height=lambda row: row["z"] - base.loc[upper, "z"].mean(),
         volume=lambda row: row["radius"] ** 3,

@@ -26,7 +26,7 @@ LOOSEST = 0.5
 #: Discharged fraction of the grains at which the steady part ends, because the level is then near
 #: the cone.
 STEADY_SHARE = 0.5
-#: Number of blocks of equal time, even, from which the error of the rate is computed.
+#: Number of blocks of equal duration that determine the error of the rate; must be even.
 BLOCKS = 10
 
 
@@ -45,8 +45,9 @@ def discharge_rate(
         diameter: Grain diameter [m].
         bulk_density: Density of the bed at rest [kg/m^3].
         gravitational_acceleration: Gravitational acceleration [m/s^2].
-        coefficient: C [-].
-        empty_annulus: k [-]; grain centers stay k/2 diameters away from the rim.
+        coefficient: Constant C of Beverloo's law [-].
+        empty_annulus: Constant k of Beverloo's law [-]; grain centers stay k/2 diameters away from
+            the rim.
 
     Raises:
         ValueError: The orifice is at most k grain diameters wide.
@@ -94,12 +95,12 @@ class Discharge:
 
     @property
     def predicted(self) -> float:
-        """Rate by Beverloo's law with these C and k [kg/s]."""
+        """Rate that Beverloo's law predicts with `coefficient` and `empty_annulus` [kg/s]."""
         return self._rate(self.coefficient, self.empty_annulus)
 
     @property
     def band(self) -> tuple[float, float]:
-        """Smallest and largest rate within the scatter of C and k [kg/s]."""
+        """Smallest and largest rate for C in `COEFFICIENTS` and k in `EMPTY_ANNULI` [kg/s]."""
         return (
             self._rate(min(COEFFICIENTS), max(EMPTY_ANNULI)),
             self._rate(max(COEFFICIENTS), min(EMPTY_ANNULI)),
@@ -111,7 +112,10 @@ class Discharge:
 
     @property
     def reduced(self) -> float:
-        """Reduced rate (W/(rho_b sqrt(g)))^(2/5) [m]; by Beverloo's law linear in the orifice."""
+        """Reduced rate (W/(rho_b sqrt(g)))^(2/5) [m].
+
+        In Beverloo's law, it is a linear function of the orifice diameter.
+        """
         return (self.rate / (self.bulk_density * self.gravitational_acceleration**0.5)) ** 0.4
 
 
@@ -174,7 +178,7 @@ def measure_discharge(
 
 @dataclass(frozen=True)
 class Constants:
-    """Beverloo's constants from several orifices, with standard deviations of the fit [-]."""
+    """Constants C and k of Beverloo's law and their standard deviations in the fit [-]."""
 
     coefficient: float
     coefficient_error: float
@@ -183,7 +187,7 @@ class Constants:
 
 
 def fit_constants(discharges: list[Discharge]) -> Constants:
-    """Fit C and k: a line through rate^(2/5) versus orifice diameter.
+    """Fit C and k of Beverloo's law: a line through the reduced rate versus orifice diameter.
 
     Raises:
         ValueError: There are fewer than three orifices, or grains of different sizes.

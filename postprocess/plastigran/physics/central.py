@@ -18,9 +18,9 @@ def hertz_duration(
     """Return the duration of an elastic impact [s], 2.868 (m*^2 / (R* E*^2 v))^(1/5).
 
     Args:
-        radius_eff: R* [m].
-        mass_eff: m* [kg].
-        youngs_modulus_eff: E* [Pa].
+        radius_eff: Effective radius R* [m].
+        mass_eff: Effective mass m* [kg].
+        youngs_modulus_eff: Effective Young's modulus E* [Pa].
         speed: Closing speed v [m/s], any shape.
 
     Source: Hertz 1881; Johnson, Contact Mechanics (1985), sec. 11.4.
@@ -62,10 +62,10 @@ def viscoelastic_number(
     proportional to R^(-1/2).
 
     Args:
-        dissipative_constant: A [s].
-        radius_eff: R* [m].
-        mass_eff: m* [kg].
-        youngs_modulus_eff: E* [Pa].
+        dissipative_constant: Ratio A of viscous to elastic constants [s].
+        radius_eff: Effective radius R* [m].
+        mass_eff: Effective mass m* [kg].
+        youngs_modulus_eff: Effective Young's modulus E* [Pa].
         speed: Closing speed v [m/s], any shape.
 
     Source: Schwager & Pöschel 2008, Phys. Rev. E 78:051304.
@@ -147,7 +147,7 @@ def sphere_yield(pair: laws.MaterialPair, radius_eff: float) -> tuple[float, flo
 
     Args:
         pair: Constants of the two bodies.
-        radius_eff: R* [m].
+        radius_eff: Effective radius R* [m].
 
     Returns:
         Force F_y [N], overlap_y [m] and work W_y [J].
@@ -178,8 +178,8 @@ def line_yield(
 
     Args:
         pair: Constants of the two bodies.
-        radius_eff: R* [m].
-        cylinder_length: L [m].
+        radius_eff: Effective radius R* [m].
+        cylinder_length: Length L of the cylinder [m].
         body_thickness: Thickness of the body that yields [m].
 
     Returns:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Duration of a central impact, from the energies of a law."""
+"""Duration of a central impact, computed from the energies of a contact law."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ def contact_time(law, radius_eff: float, mass_eff: float, speed: float) -> tuple
 
     Args:
         law: Instance of a class of `plastigran.laws.LAWS` whose force depends only on overlap.
-        radius_eff: R* [m].
-        mass_eff: m* [kg].
+        radius_eff: Effective radius R* [m].
+        mass_eff: Effective mass m* [kg].
         speed: Closing speed [m/s].
 
     Returns:

@@ -19,7 +19,7 @@ STRAIGHT = (0.3, 0.9)
 
 @dataclass(frozen=True)
 class Loop:
-    """Results of a loop of loading and unloading.
+    """Results of one compaction: a loop of loading and unloading.
 
     Attributes:
         touch: Relative density at the start of loading [-].
@@ -46,12 +46,12 @@ class Loop:
 
 @dataclass(frozen=True)
 class HeckelLine:
-    """Heckel's line ln(1/(1 - D)) = slope P + intercept.
+    """Heckel's line ln(1/(1 - D)) = K P + A, with the relative density D and the pressure P.
 
     Attributes:
-        slope: K [1/Pa].
-        intercept: A [-].
-        correlation: R^2 of the fit [-].
+        slope: Slope K [1/Pa].
+        intercept: Intercept A [-].
+        correlation: Coefficient of determination R^2 of the fit [-].
     """
 
     slope: float

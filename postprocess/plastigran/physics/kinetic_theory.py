@@ -106,7 +106,8 @@ def cool(gas: Gas, temperature: float, times: ArrayLike) -> pd.DataFrame:
     For a restitution that depends on speed, see Brilliantov & Poeschel, Kinetic Theory of Granular
     Gases (2004), ch. 9; this function omits their Sonine terms.
 
-    The variance of the relative error of N = `gas.count` grains starts at zero. It follows from
+    A gas of N = `gas.count` grains deviates randomly from this temperature. The variance of the
+    relative deviation starts at zero and follows from
     var' = -2 d(cooling_rate)/d(ln T) var + collision_rate <(l/(3/2))^2>/2N, where l is the quantity
     that `loss` averages. The first term exists because a hotter gas cools faster. The second term
     treats the losses of impacts as independent.

@@ -43,16 +43,16 @@ def sphere_modes(
     """Return the lowest free vibrations of an elastic sphere for each kind and degree.
 
     Args:
-        youngs_modulus: E [Pa].
-        poissons_ratio: nu, between -1 and 0.5 [-].
+        youngs_modulus: Young's modulus E [Pa].
+        poissons_ratio: Poisson's ratio nu, between -1 and 0.5 [-].
         density: Density [kg/m^3].
-        radius: a [m].
+        radius: Radius a of the sphere [m].
         degrees: Degrees n of the spherical harmonics; 0 has radial modes only.
         overtones: Number of modes for each kind and degree.
 
     Returns:
         One row per mode, sorted by frequency: kind (radial, spheroidal, toroidal), degree,
-        overtone (0 is the lowest), ka, ha [-], frequency [Hz].
+        overtone (0 is the lowest), wave numbers ka and ha [-], frequency [Hz].
 
     Raises:
         ValueError: A constant is out of range.
@@ -94,7 +94,7 @@ def sphere_modes(
 def bessel_zeros(degree: int, count: int) -> np.ndarray:
     """Return the first positive zeros of the spherical Bessel function j_n, (count,).
 
-    The zeros of j_0 are multiples of pi. One zero of j_n lies between two adjacent ones of j_(n-1).
+    The zeros of j_0 are multiples of pi. Two adjacent zeros of j_(n-1) enclose one zero of j_n.
     """
     zeros = pi * np.arange(1, count + degree + 1)
     for n in range(1, degree + 1):
@@ -108,20 +108,20 @@ def roots_between(function: Function, edges: np.ndarray) -> np.ndarray:
 
 
 def toroidal(degree: int, x: float) -> float:
-    """Return x j_n'(x) - j_n(x), the surface shear stress. Its zeros are k a of toroidal modes."""
+    """Return the surface shear stress x j_n'(x) - j_n(x), zero if x is k a of a toroidal mode."""
     return x * spherical_jn(degree, x, derivative=True) - spherical_jn(degree, x)
 
 
 def radial(poissons_ratio: float, y: float) -> float:
     """Return y j_0(y) - 4 (c_t/c_l)^2 j_1(y), the normal stress on the surface.
 
-    Its zeros are h a of the radial modes.
+    The stress is zero if y is the wave number h a of a radial mode.
     """
     return y * spherical_jn(0, y) - 4 * wave_speed_ratio(poissons_ratio) ** 2 * spherical_jn(1, y)
 
 
 def toroidal_roots(degree: int, count: int) -> np.ndarray:
-    """Return k a of the first toroidal modes, (count,).
+    """Return the wave numbers k a of the first toroidal modes, (count,).
 
     x j_n'/j_n decreases from n at x = 0, and from +inf to -inf between zeros of j_n. It therefore
     equals 1 once before each zero. For n = 1, the first root is x = 0, the rotation of the sphere.
@@ -132,7 +132,7 @@ def toroidal_roots(degree: int, count: int) -> np.ndarray:
 
 
 def radial_roots(poissons_ratio: float, count: int) -> np.ndarray:
-    """Return h a of the first radial modes, (count,).
+    """Return the wave numbers h a of the first radial modes, (count,).
 
     y j_0/j_1 decreases from 3 at y = 0, and from +inf to -inf between zeros of j_1. It therefore
     equals 4 (c_t/c_l)^2 < 3 once before each zero.
@@ -142,7 +142,7 @@ def radial_roots(poissons_ratio: float, count: int) -> np.ndarray:
 
 
 def surface(degree: int, poissons_ratio: float, x: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return displacement and traction on the surface of the two waves of a spheroidal mode.
+    """Return surface displacement and surface traction of the two waves of a spheroidal mode.
 
     Column 0 is the compression wave grad(j_n(h r) Y), column 1 the shear wave
     curl curl(r j_n(k r) Y). Row 0 is the component along r, row 1 the component along grad Y times
@@ -172,12 +172,12 @@ def surface(degree: int, poissons_ratio: float, x: float) -> tuple[np.ndarray, n
 
 
 def spheroidal(degree: int, poissons_ratio: float, x: float) -> float:
-    """Return the determinant of the surface tractions. Its zeros are k a of spheroidal modes."""
+    """Return the determinant of the surface tractions, zero if x is k a of a spheroidal mode."""
     return float(np.linalg.det(surface(degree, poissons_ratio, x)[1]))
 
 
 def spheroidal_roots(degree: int, poissons_ratio: float, count: int) -> np.ndarray:
-    """Return k a of the first spheroidal modes of a degree of 1 or more, (count,).
+    """Return the wave numbers k a of the first spheroidal modes of a degree from 1, (count,).
 
     The two eigenvalues of the dynamic stiffness of the surface (traction/displacement) decrease
     with x from pole to pole. A mode is a zero of one eigenvalue. The number of modes below x is the

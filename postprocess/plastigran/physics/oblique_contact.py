@@ -21,9 +21,10 @@ class ObliqueOutcome:
     """Outcome of oblique impacts of bodies without spin. All arrays have the same shape.
 
     Attributes:
-        normal_restitution: Normal relative speed after the impact / that before [-].
-        tangential_restitution: Tangential relative speed of the centers after the impact / that
-            before [-]; NaN for a central impact.
+        normal_restitution: Normal relative speed after the impact / normal relative speed before
+            the impact [-].
+        tangential_restitution: Tangential relative speed of the centers after the impact /
+            tangential relative speed before the impact [-]; NaN for a central impact.
         spin: Spin of the first body after the impact [rad/s]. The body rolls forward if the spin
             is positive.
         rebound_angle: Angle of the first body's relative velocity from the normal after the impact
@@ -72,8 +73,8 @@ def oblique_impacts(
     Args:
         law: Normal law of a sphere without adhesion.
         tangential: Tangential law.
-        radius_eff: R* [m].
-        mass_eff: m* [kg].
+        radius_eff: Effective radius R* [m].
+        mass_eff: Effective mass m* [kg].
         torque_arm: Radius times mass of the first body [kg m], for its spin.
         speeds: Relative speeds before the impact (N,) [m/s].
         angles: Angles of the velocities from the normal (N,) [degrees].

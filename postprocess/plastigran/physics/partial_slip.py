@@ -38,7 +38,7 @@ class Rings:
     rings: list[tuple[float, float, float]] = attrs.Factory(list)
 
     def force(self) -> float:
-        """Tangential force divided by the sliding force of a contact of overlap 1 with mu = 1."""
+        """Return the tangential force / sliding force of a contact of overlap 1 with mu = 1."""
         return sum(share * (end**1.5 - begin**1.5) for begin, end, share in self.rings)
 
     def move(self, overlap: float, shift: float) -> None:
@@ -71,7 +71,7 @@ class Rings:
         return held
 
     def _slip(self, wanted: float) -> None:
-        """Let rings slip, from the edge inward, until the tangential displacement is `wanted`."""
+        """Let rings slip, from the edge inward, until they have moved the bodies by `wanted`."""
         full = self.friction if wanted > 0 else -self.friction
         front = self.overlap
         while self.rings and wanted * full > 0:
@@ -95,7 +95,7 @@ def partial_slip(impact: ObliqueImpact, steps: int = STEPS) -> Motion:
 
     Args:
         impact: Impact of one sphere on a plane.
-        steps: Number of time steps.
+        steps: Approximate number of time steps of the impact.
 
     Raises:
         ValueError: Both bodies move, or the coefficient of friction is zero.

@@ -54,7 +54,7 @@ class ReboundTester:
         Args:
             law: Name of the law.
             sample: Material of the sample.
-            constants: Constants of the law, at least those without default.
+            constants: Constants of the law; constants without default are required.
 
         Raises:
             ValueError: A constant is missing or out of range.
@@ -85,7 +85,7 @@ class ReboundTester:
 
 
 def dented_flat(law: str) -> dict[str, str]:
-    """Return the option that makes the flat yield instead of the sphere; {} if the law has none."""
+    """Return the option that makes the flat yield instead of the sphere; {} without this option."""
     words = {option["name"]: option["choices"] for option in laws.LAWS[law].options()}
     return {name: "flat" for name in ("yielding",) if "flat" in words.get(name, ())}
 

@@ -22,7 +22,7 @@ from plastigran.declared import number, radius_field
 class Rod:
     """Rod and its angle to the flat. The defaults are the values of the paper.
 
-    The center of the tip and the far end are half a length from the center.
+    The center of the tip and the far end are half a length away from the center of the rod.
 
     Raises:
         ValueError: A field is out of range, or friction would jam the rod.
@@ -62,8 +62,8 @@ class Rod:
     def tip_mass(self) -> float:
         """Mass of each end sphere, if three spheres of equal radius represent the rod [kg].
 
-        The rest of the mass is in the middle sphere. The moment of inertia of the three spheres is
-        that of the rod.
+        The rest of the mass is in the middle sphere. The three spheres and the rod have the same
+        moment of inertia.
         """
         return self.mass * (1 / 6 - 0.8 * (self.tip_radius / self.length) ** 2)
 
@@ -88,8 +88,8 @@ class Rod:
     def angular_velocity(self, impulse: float) -> float:
         """Return the angular velocity after a normal impulse [N s], in rad/s.
 
-        It is -(x_c - mu y_c)/I times the impulse, if the tip slides throughout. The impulse is
-        m_eff v (1 + e), or the mass times the change of the center's velocity along y.
+        If the tip slides throughout, it is -(x_c - mu y_c)/I times the impulse. The impulse is
+        m_eff v (1 + e), or the rod's mass times the change of the velocity of its center along y.
         """
         x_c, y_c = self.arm
         return -(x_c - self.coefficient_of_friction * y_c) / self.inertia * impulse

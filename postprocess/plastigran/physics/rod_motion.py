@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Equations of motion of a rod's impact, for laws for spheres without rate dependence."""
+"""Equations of motion for the impact of a rod, for rate-independent laws for spheres."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ STICKING_SLIP = 1e-3
 #: speed.
 YIELDING_RATE = 1e3
 
-#: Number of turning points after which the tip is assumed to stay in contact.
+#: Number of extremes of the overlap after which the tip is assumed to stay in contact.
 TURNS = 6
 
 #: Number of rows of a history during loading, and during unloading.
@@ -30,8 +30,8 @@ class _Motion:
 
     The variables are (x, y, turn, velocity_x, velocity_y, angular velocity, spring): displacement
     of the center and rotation since first touch, their rates, and the stretch of the friction
-    spring. `state` is the contact history at the last turning point of the overlap. Trial steps of
-    the solver use copies of it.
+    spring. `state` is the contact history at the largest overlap so far. Trial steps of the solver
+    use copies of this history.
     """
 
     def __init__(self, rod: Rod, law, speed: float, shear_modulus_eff: float | None) -> None:

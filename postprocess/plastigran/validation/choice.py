@@ -36,7 +36,7 @@ def _errors(
 ) -> dict[tuple[str, str], pd.DataFrame]:
     """Return a table with the columns law and error for each regime and quantity.
 
-    `rebounds` contains tables of `steel.rebounds`. Its keys are endings of the names of regimes.
+    `rebounds` contains tables of `steel.rebounds`. Its keys are appended to the names of regimes.
     """
     errors = {}
     for regime, (contact, lowest, highest) in SPHERE_REGIMES.items():
@@ -52,7 +52,7 @@ def _errors(
 
 
 def by_regime(compared: pd.DataFrame, rebounds: pd.DataFrame, rated: pd.DataFrame) -> pd.DataFrame:
-    """Return the three best laws and the last one for each regime.
+    """Return the three laws with the smallest errors and the worst law, for each regime.
 
     Args:
         compared: Table of `laws_on_spheres.compare`.
@@ -75,8 +75,8 @@ def by_regime(compared: pd.DataFrame, rebounds: pd.DataFrame, rated: pd.DataFram
 def by_law(compared: pd.DataFrame, rebounds: pd.DataFrame, word: str) -> pd.DataFrame:
     """Return the root mean square error of a quantity [%], laws as rows and regimes as columns.
 
-    The law with the smallest mean error comes first. The row of `ON_FITTED_METALS` follows the row
-    of the fitted law.
+    The law with the smallest mean error comes first. The row of the fitted law is followed by a row
+    with its errors for the metals of its fit, `ON_FITTED_METALS`.
 
     Args:
         compared, rebounds: As for `by_regime`.

@@ -50,7 +50,7 @@ SETTINGS = Settings(divisions=4, fineness=0.7, growth=1.08, unloading_steps=10)
 
 
 def table() -> pd.DataFrame:
-    """Read the table of the package.
+    """Read the table of computed impacts in the package.
 
     Returns:
         Columns HV, HLD, speed_ratio, restitution, force_max [N], contact_radius_over_radius.
@@ -60,7 +60,7 @@ def table() -> pd.DataFrame:
 
 
 def computation(hardness: float) -> Callable[[], Pressing]:
-    """Return the computation of the ball on steel of a hardness, HV."""
+    """Return a function that computes the ball on steel of a Vickers hardness, HV."""
     tester, strength = TESTERS["D"], float(flow_stress(hardness))
     ball = ElasticPlastic(
         youngs_modulus=tester.ball.youngs_modulus, poissons_ratio=tester.ball.poissons_ratio
@@ -97,7 +97,7 @@ def row(hardness: float, pressing: Pressing) -> dict[str, float]:
 
 
 def comparison(law: str) -> pd.DataFrame:
-    """Compare restitutions by finite elements with the tester's table and with small a/R.
+    """Compare restitutions by finite elements with measured values and with values at small a/R.
 
     Args:
         law: Name of a law to compare.

@@ -78,7 +78,7 @@ def rebound_figure(rebounds: pd.DataFrame) -> Figure:
 
 @styled()
 def budget_figure(parts: pd.DataFrame, law: str, mean: float) -> Figure:
-    """Draw possible causes of the mean error of a law for the rebound hardness of steel.
+    """Draw how possible causes change the restitution of a law for the rebound of steel.
 
     Args:
         parts: Table of `offset.budget`.

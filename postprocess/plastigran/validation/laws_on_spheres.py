@@ -24,7 +24,7 @@ QUANTITIES = ("coefficient_of_restitution", "force_max")
 
 
 def yielding_laws() -> list[str]:
-    """Return the names of the laws for spheres with yield."""
+    """Return the names of the laws for spheres that yield."""
     return [name for name in laws_for("sphere") if laws.LAWS[name].yields]
 
 
@@ -32,9 +32,9 @@ def compare() -> pd.DataFrame:
     """Compare every law with yield with the impacts beyond yield of the table of spheres.
 
     Returns:
-        A row for each law and row of the table: law, metal, set, kind, speed_ratio and
-            `QUANTITIES`, given as law / finite elements - 1 [-]. The rows of `FITTED_LAW` for
-            metals of its fit have the law name `ON_FITTED_METALS`.
+        A row for each law and each row of the table: law, metal, set, kind, speed_ratio and
+        `QUANTITIES`, given as law / finite elements - 1 [-]. The rows of `FITTED_LAW` for metals of
+        its fit have the law name `ON_FITTED_METALS`.
     """
     rows = table()
     rows = rows[rows["speed_ratio"] > 1].assign(kind=contact_kinds)
@@ -58,7 +58,7 @@ def compare() -> pd.DataFrame:
 
 
 def without_fitted_metals(compared: pd.DataFrame) -> pd.DataFrame:
-    """Return a comparison without the rows to which a law was fitted."""
+    """Return a comparison without the rows of the fitted law for the metals of its fit."""
     return compared[compared["law"] != ON_FITTED_METALS]
 
 

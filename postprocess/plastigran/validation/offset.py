@@ -32,9 +32,9 @@ def budget(law: str) -> pd.DataFrame:
     """Return the change of a law's restitution [%] for each uncertainty.
 
     Returns:
-        A row for each uncertainty. Columns are its source, the changed value, the mean change of
-        restitution for the hardnesses of `leeb_table`, and the change at the smallest and largest
-        hardness. For the source "large a/R", the hardnesses are those of `dented_steel.table`.
+        A row for each uncertainty. The columns are the source, the changed value, the mean change
+        of restitution for the hardnesses of `leeb_table`, and the change at the smallest and
+        largest hardness. The source "large a/R" uses the hardnesses of `dented_steel.table`.
     """
     usual = rebound(law)
     rows = []

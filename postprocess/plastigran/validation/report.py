@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Evidence on every law: tables, figures and pages of the validation."""
+"""Validation of every law: its tables, figures and pages."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ from plastigran.validation import (
 
 #: Incident angles of LIGGGHTS runs with `coarse` [degrees], one for each quantity.
 FEW_ANGLES = (20.01, 21.25, 20.57)
-#: Errors by law and regime, which other subpackages read.
+#: File with the errors by law and regime, which other subpackages read.
 ERRORS = Path(plastigran.__file__).parent / "data" / "errors.csv"
 
 
 def compute(progress: bool, coarse: bool) -> Findings:
-    """Compute every table and figure. With `coarse`, LIGGGHTS runs at a few angles only."""
+    """Compute every table and figure. With `coarse`, LIGGGHTS runs only at `FEW_ANGLES`."""
     compared = laws_on_spheres.compare()
     unfitted = laws_on_spheres.without_fitted_metals(compared)
     rebounds, rated = steel.rebounds(), steel.rebounds(**offset.RATE)

@@ -42,7 +42,7 @@ def steel(strength: float, **others: float) -> laws.Body:
 
 
 def speed_ratio(tester: ReboundTester, strength: float) -> float:
-    """Return v/v_Y of a tester on steel of a yield strength [Pa], by Hertz and von Mises."""
+    """Return impact speed / yield speed of a tester on steel of a yield strength [Pa]."""
     pair = tester.pair(steel(strength))
     return tester.speed / yield_speed(pair, tester.ball_radius, tester.mass)
 

@@ -146,7 +146,10 @@ class CentralImpact(Experiment):
 
     @property
     def bodies(self) -> int:
-        """Number of spheres. Effective radius and mass are those of a sphere, divided by it."""
+        """Number of spheres, 1 or 2.
+
+        Effective radius and mass are the radius and mass of a sphere divided by this number.
+        """
         return self.geometries[self.geometry]
 
     @property
@@ -238,7 +241,7 @@ class CentralImpact(Experiment):
 
     def variables(self) -> dict[str, object]:
         variables = super().variables()
-        del variables["geometry"]  # not a variable of the deck: it selects the deck
+        del variables["geometry"]  # selects the deck, and is not a variable in the deck
         del variables["host"]
         if self.surface_energy is None:
             variables["surface_energy"] = self.material.surface_energy
@@ -262,7 +265,7 @@ class CentralImpact(Experiment):
         return self.measure(Path(folder))
 
     def predict(self) -> CollisionOutcome:
-        """Return the outcome by the law alone, without LIGGGHTS."""
+        """Return the outcome that the law predicts without LIGGGHTS."""
         speed = self.closing_speed
         impact = self.contact_law().central_impact(self.radius_eff, self.mass_eff, speed)
         return CollisionOutcome(
@@ -311,7 +314,9 @@ class CentralImpact(Experiment):
 
     @classmethod
     def plan(cls, **values: Any) -> list[CentralImpact]:
-        """Return every combination of values; only laws that have them get options, surface energy.
+        """Return every combination of values.
+
+        Only laws that have the options or a surface energy receive these values.
 
         Raises:
             ValueError: A case cannot be run, or no law has an option or a surface energy; the

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Descriptions of the bodies of a central impact, for sentences and folder names."""
+"""Phrases and folder names that describe the bodies of a central impact."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def on_wall(wall: str) -> str:
 def run_label(
     geometry: str, material: str, law: str, wall: str = RIGID_WALL, options: str = USUAL
 ) -> str:
-    """Return the part of an impact's folder name that follows the number."""
+    """Return the part after the number in the name of the folder of an impact."""
     words = [geometry, material, law]
     words += [] if wall in WALLS else ["on", wall]
     words += [] if options == USUAL else options.split()

@@ -74,8 +74,11 @@ def measured_panels(
 
 
 def curve_groups(table: pd.DataFrame, abscissa: str) -> Groups:
-    """Return the rows of each curve by its law and by the words that distinguish it."""
-    if abscissa == "geometry" and "wall" in table:  # omit the wall, which the geometry implies
+    """Return the rows of each curve, by law and by a phrase for the values of the curve.
+
+    The phrase contains the values in the columns `APART` that differ between curves.
+    """
+    if abscissa == "geometry" and "wall" in table:  # the geometry implies the wall
         table = table.assign(wall=table["wall"].replace(NO_WALL, RIGID_WALL))
     table = _without_lone_defaults(table)
     apart = [name for name in varied(table) if name != abscissa]
@@ -88,7 +91,7 @@ def curve_groups(table: pd.DataFrame, abscissa: str) -> Groups:
 
 
 def line_styles(groups: Groups) -> dict[str, int]:
-    """Return the index into `DASHES` by the words that distinguish curves of one law."""
+    """Return the index into `DASHES` for each phrase that `curve_groups` returns."""
     words = dict.fromkeys(others for _, others in groups)
     return {others: k % len(DASHES) for k, others in enumerate(words)}
 
@@ -99,7 +102,7 @@ def varied(table: pd.DataFrame) -> list[str]:
 
 
 def in_words(names: Sequence[str], values: Sequence[object]) -> str:
-    """Return values of a case in words, with units, joined by commas."""
+    """Return values of a case as text with units, joined by commas."""
     return ", ".join(filter(None, map(_in_words, names, values)))
 
 
@@ -141,7 +144,7 @@ def _measured(groups: Groups, theory: Groups, quantity: str, abscissa: str) -> P
             "law": law,
             "dash": dashes[others],
         }
-        # Draw a line only through two or more points with a numeric abscissa; otherwise dashes.
+        # Draw a line only if two or more points have a numeric abscissa; otherwise draw dashes.
         look = "line" if numeric and len(line) > 1 else "dashes"
         y_line = line[predicted if predicted in line else quantity]
         x_line, x = _abscissae(line[abscissa]), _abscissae(rows[abscissa])
@@ -185,7 +188,7 @@ def _paper(quantity: str) -> list[Curve]:
 
 
 def _theory(rows: pd.DataFrame, abscissa: str, materials: Mapping[str, Material]) -> pd.DataFrame:
-    """Return theory at many speeds, or only at the rows if it cannot be computed again."""
+    """Return the theory at many speeds; the rows themselves if it cannot be computed."""
     if abscissa != "speed":
         return rows
     case = central_case(rows.iloc[-1], materials)
@@ -205,7 +208,7 @@ def central_case(row: pd.Series, materials: Mapping[str, Material]) -> CentralIm
 
     Args:
         row: Row of the table.
-        materials: Materials that the sweep recorded, by name. Others are read by name.
+        materials: Materials in the record of the sweep, by name. Other materials are read by name.
 
     Returns:
         The impact. None for a row of another experiment, and for a material that is not available

@@ -133,7 +133,7 @@ def _grid(count: int, alike: bool) -> tuple[Figure, np.ndarray]:
 
 
 def _label_edges(axes: np.ndarray, count: int, alike: bool) -> None:
-    """Label only the outer axes, and show a legend if it differs from that of the last panel."""
+    """Label only the outer axes; show a legend if it differs from that of the previous panel."""
     columns = axes.shape[1]
     previous_labels = None
     for k, place in enumerate(axes.flat):

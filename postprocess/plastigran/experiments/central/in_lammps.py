@@ -12,7 +12,7 @@ from plastigran.materials import law_class
 if TYPE_CHECKING:
     from plastigran.experiments.central import CentralImpact
 
-#: Geometries of the deck.
+#: Geometries that the LAMMPS deck supports.
 GEOMETRIES = ("sphere_wall", "two_spheres")
 
 

@@ -24,7 +24,7 @@ VISIBLE = 5e-5
 
 
 def remarks(runs: Runs) -> list[str]:
-    """Return sentences on the bodies, yield, adhesion, unsuitable laws, and the time step."""
+    """Return sentences on the bodies, on yield and adhesion, on unsuitable laws and time steps."""
     sentences = [_arrangement(runs.cases)]
     if runs.table["surface_energy"].isna().all() and (runs.table["speed_ratio"] < 1).all():
         sentences.append(
@@ -51,7 +51,7 @@ def _arrangement(impacts: Iterable[CentralImpact]) -> str:
 
 
 def sticking(impacts: Iterable[CentralImpact]) -> list[str]:
-    """Return a sentence on the sticking speed for each law and set of bodies that stick."""
+    """Return a sentence with the sticking speed for each law and pair of bodies that stick."""
     stuck = [impact for impact in impacts if isfinite(impact.work_of_adhesion)]
     stuck = [impact for impact in stuck if impact.predict().coefficient_of_restitution == 0]
     bodies = {attrs.evolve(impact, speed=SPEED.lower): impact for impact in stuck}.values()

@@ -52,9 +52,9 @@ TITLES = {
 
 DEFAULT_LAW, DEFAULT_STEPS = "vu_quoc_zhang", 1000
 
-#: Tangential models: the one of LIGGGHTS, and the tangential laws.
+#: Tangential models: `history` of LIGGGHTS, and the tangential laws of this project.
 TANGENTIAL_MODELS = ("history", *laws.TANGENTIAL_LAWS)
-#: Options of LIGGGHTS' own hertz for the benchmarks: normal damping only, and no attractive force.
+#: Options of the normal model `hertz` of LIGGGHTS: normal damping only, no attractive force.
 HERTZ_OPTIONS = "limitForce on tangential_damping off"
 
 
@@ -75,10 +75,10 @@ class BenchmarkImpact(Experiment):
         deck_name: Name of the deck, without `.in`; it begins with the number of the benchmark.
         material: Material of the sphere: name of a file in the folder `materials` next to the deck.
         knob: Name of the deck variable that the benchmark varies.
-        value: Value of that variable, in its unit in the deck.
-        modulus_ratio: Young's modulus of the second sphere divided by that of the first. The
-            default is the value of the deck.
-        law: Name of the law; `hertz` is LIGGGHTS' own.
+        value: Value of the variable `knob`, in the unit of the deck.
+        modulus_ratio: Young's modulus of the second sphere / Young's modulus of the first sphere.
+            The default is the value of the deck.
+        law: Name of the law; `hertz` is the normal model `hertz` of LIGGGHTS.
         steps_per_contact: Time steps in an undamped contact.
         tangential: Name of the tangential model.
     """

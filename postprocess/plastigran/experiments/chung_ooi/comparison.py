@@ -30,8 +30,8 @@ class BenchmarkOutcome:
 def predict(impact: ObliqueImpact) -> BenchmarkOutcome:
     """Predict an impact by theory: spring and slider (`ObliqueImpact.spring_slider`).
 
-    The dashpot never attracts. For impacts without damping, peaks and duration are those of Hertz;
-    otherwise they are NaN.
+    The dashpot never attracts. Without damping, largest force, largest overlap and duration follow
+    from Hertz's theory. With damping, these values are NaN.
     """
     force = overlap = duration = nan
     if impact.coefficient_of_restitution == 1:
@@ -54,9 +54,10 @@ def predict(impact: ObliqueImpact) -> BenchmarkOutcome:
 def compare(
     impact: ObliqueImpact, measured: BenchmarkOutcome, predicted: BenchmarkOutcome
 ) -> dict[str, object]:
-    """Return columns of the results table: measured values, `*_predicted`, and `*_rigid`.
+    """Return columns of the results table: measured values and two predictions.
 
-    The values `*_rigid` are those of rigid bodies that slide throughout the impact.
+    The columns `*_predicted` are the prediction `predicted`. The columns `*_rigid` are the motion
+    of rigid bodies that slide throughout the impact.
     """
     after, after_predicted, after_rigid = measured.after, predicted.after, impact.rigid_sliding()
     collision, collision_predicted = measured.collision, predicted.collision
@@ -80,7 +81,7 @@ def compare(
         "surface_speed": impact.surface_speed(after),
         "surface_speed_predicted": impact.surface_speed(after_predicted),
         "surface_speed_rigid": impact.surface_speed(after_rigid),
-        # Change of the surface speed by friction for a body that slides throughout.
+        # Friction changes the surface speed of a body that slides throughout by this value.
         "surface_speed_scale": 3.5 * friction * (1 + impact.restitution()) * closing_speed,
         "force_max": collision.force_max,
         "force_max_predicted": collision_predicted.force_max,
@@ -116,7 +117,7 @@ def agreement(table: pd.DataFrame) -> pd.DataFrame:
         One row per benchmark, with the number of `impacts`. Columns `coefficient_of_restitution`
         and, without damping, `force_max`, `overlap_max` and `contact_time` are relative deviations.
         Columns `spring_slider` and, for bodies that slide throughout, `rigid` are deviations of the
-        surface speed, divided by the change of the surface speed of sliding bodies.
+        surface speed, divided by `surface_speed_scale` (see `compare`).
     """
 
     def relative(part: pd.DataFrame, name: str) -> float:

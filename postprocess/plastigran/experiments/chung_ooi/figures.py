@@ -77,7 +77,7 @@ SPIN = Quantity("spin (rad/s)", lambda impact, _: impact.before.spin)
 SPIN_AFTER = Quantity("spin after (rad/s)", lambda _, after: after.spin)
 ALONG = Quantity("speed along the surface after (m/s)", lambda _, after: after.along)
 
-#: Panels of the oblique benchmarks: (abscissa, ordinate).
+#: Panels of the figure of each oblique benchmark: quantities on the x and y axes.
 PANELS = {
     4: [(ANGLE, TANGENTIAL_RESTITUTION), (ANGLE, SPIN_GAINED), (ANGLE, SURFACE_ANGLE)],
     5: [(INCIDENT, RECOIL), (INCIDENT, SPIN_SCALED)],

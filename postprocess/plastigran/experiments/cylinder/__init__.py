@@ -47,7 +47,7 @@ class CylinderImpact(CentralImpact):
     shape = "cylinder"
     has_theory = False  # the study always compares LIGGGHTS with theory
     geometries: ClassVar = {"cylinder_wall": 1}
-    # At larger overlaps, the center of the disc crosses the wall. The source uses overlaps up to
+    # At larger overlaps, the center of the disc crosses the wall. The paper uses overlaps up to
     # this limit; the validity range of the laws is smaller.
     overlap_ratio_max = 1.0
     flags: ClassVar = {

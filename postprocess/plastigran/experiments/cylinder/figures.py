@@ -22,7 +22,7 @@ from plastigran.plot.style import law_colour, styled, subplots, title
 
 @dataclass(frozen=True)
 class Panel:
-    """Map: column of the table, factor to its unit, title, and levels of its contours."""
+    """Map of one column of the table: factor to the unit, title, and levels of the contours."""
 
     column: str
     factor: float
@@ -31,7 +31,7 @@ class Panel:
 
 
 def maps_figure(table: pd.DataFrame) -> Figure:
-    """Draw contours of the `study` by speed and radius, for one length ratio."""
+    """Draw contour maps of the results of `study` by speed and radius, for one length ratio."""
     curved, straight = "katta_polycarpou", "lim_stronge"
     pressures, shares = tuple(np.arange(13) / 5), tuple(0.2 + np.arange(17) / 20)
     times = (0, 0.4, 0.5, 0.6, 0.8, 1, 1.25, 1.5, 1.75, 2, 2.5, 3, 4, 5, 6, 8)

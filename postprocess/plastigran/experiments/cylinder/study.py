@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Maps of Katta & Polycarpou (2010, J. Tribol. 132:041402) by radius and speed, by the laws alone.
 
-The laws are as published, without the energy guard. Restitution is limited to 1, as in the source.
+The laws are as published, without the energy guard. Restitution is limited to 1, as in the paper.
 The maps include overlaps larger than the radius.
 """
 
@@ -24,13 +24,13 @@ from plastigran.usable_laws import laws_for
 MATERIAL = "glass_kp10"
 MASS = 1.59e-6  # mass of the slider [kg]
 BODY_THICKNESS = 1e-4  # thickness of the glass [m]
-#: Length/radius of the cylinders in the source, and largest speed of the maps for each [m/s].
+#: Length/radius of the cylinders in the paper, and largest speed of the maps for each value [m/s].
 LENGTH_RATIOS = {10.0: 1.0, 100.0: 5.0}
 RADII = (1e-6, 1e-5)  # smallest and largest radius of the maps [m]
 
-#: Finite elements of the source: radius 10 um, length ratio 10, 1 m/s. The source gives the
-#: residual overlap [m], and the duration of the whole computation, which is an upper bound of the
-#: contact time [s].
+#: Impact that the paper computed with finite elements: radius 10 um, length ratio 10, 1 m/s. The
+#: paper gives the residual overlap [m]. The paper also gives the simulated time, which is an upper
+#: bound of the contact time [s].
 FINITE_ELEMENTS = {"radius": 1e-5, "length_ratio": 10.0, "speed": 1.0}
 FINITE_ELEMENTS_OVERLAP_RES = 0.12e-6
 FINITE_ELEMENTS_TIME_BOUND = 3e-6
@@ -86,8 +86,8 @@ def study(
     Returns:
         (2 N M,) rows; columns law, length_ratio [-], radius [m], speed [m/s], speed_ratio (speed /
         yield speed), overlap_max, overlap_res [m], force_max [N], contact_radius (half width at the
-        largest overlap) [m], pressure_ratio (mean pressure there / yield strength) [-],
-        loading_time, contact_time [s], coefficient_of_restitution [-] and in_range.
+        largest overlap) [m], pressure_ratio (mean pressure at the largest overlap / yield strength)
+        [-], loading_time, contact_time [s], coefficient_of_restitution [-] and in_range.
     """
     axes = laws_for("cylinder"), np.asarray(radii).tolist(), np.asarray(speeds).tolist()
     bar = ProgressBar(list(product(*axes)), unit="impact", desc="study", shown=progress)
@@ -107,7 +107,7 @@ def maps(points: int) -> pd.DataFrame:
 
 
 def comparison() -> pd.DataFrame:
-    """Return the results of each law for the impact of the source's finite elements.
+    """Return the results of each law for the impact that the paper computed by finite elements.
 
     Returns:
         (3,) rows for the laws and the finite elements: overlap_res [m] and its relative error;

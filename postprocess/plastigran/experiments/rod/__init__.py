@@ -102,7 +102,7 @@ class RodImpact(Experiment):
         return laws.combine(self.material.body(), self.flat.body())
 
     def contact_law(self, **options: str | float):
-        """Return the law between rod and flat; `options` replace those of the case."""
+        """Return the law between rod and flat; `options` replace the options of the case."""
         if any(row["name"] == "indentation_pressure" for row in laws.LAWS[self.law].parameters()):
             options = {"indentation_pressure": self.indentation_pressure, **options}
         return self.material.law(self.law, self.pair, **self.options | options)
@@ -114,7 +114,7 @@ class RodImpact(Experiment):
         return {"reading": self.reading} if "reading" in names else {}
 
     def frozen(self) -> laws.ImpactOutcome:
-        """Central impact with the effective mass of the tip, `Rod.mass_eff`."""
+        """Return the central impact of the tip with its effective mass, `Rod.mass_eff`."""
         rod = self.rod
         return self.contact_law().central_impact(rod.tip_radius, rod.mass_eff, self.speed)
 
@@ -145,7 +145,7 @@ class RodImpact(Experiment):
         return variables | attrs.asdict(self.rod) | self.material.variables() | flat
 
     def predict(self) -> RodOutcome:
-        """Return the outcome by the equations of motion with the same friction.
+        """Return the outcome predicted by the equations of motion with the same friction model.
 
         For the tangential laws of this project, the equations have the spring of `history`.
         """

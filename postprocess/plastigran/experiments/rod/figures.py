@@ -22,12 +22,12 @@ from plastigran.plot.style import (
 )
 
 MEASURED = MeasuredRun()
-#: Number of LIGGGHTS points of a motion.
+#: Approximate number of points that show a motion in LIGGGHTS.
 POINTS = 30
 
 
 def closest_to_measured(impacts: dict[RodImpact, RodOutcome]) -> RodImpact:
-    """Return the run closest to the measured one in angle, then in speed and angular velocity."""
+    """Return the run closest to the measured run in angle, then in speed, then in spin."""
 
     def distance(run: RodImpact) -> tuple[float, float, float]:
         return (
@@ -42,8 +42,8 @@ def closest_to_measured(impacts: dict[RodImpact, RodOutcome]) -> RodImpact:
 def motion_figure(run: RodImpact, measured: RodOutcome) -> Figure:
     """Draw forces, displacement, velocities and angular velocity versus time during contact.
 
-    Lines are the equations of motion, points are LIGGGHTS. If the run is the measured one, dotted
-    lines show the measured values after the impact.
+    Lines are the equations of motion, points are LIGGGHTS. If the run has the angle and speed of
+    the measured run, dotted lines show the measured values after the impact.
     """
     predicted = run.predict().history
     points = measured.history.iloc[:: max(1, len(measured.history) // POINTS)]
@@ -89,7 +89,7 @@ def motion_figure(run: RodImpact, measured: RodOutcome) -> Figure:
 def outcome_figure(table: pd.DataFrame) -> Figure:
     """Draw tip restitution and angular velocity versus impact speed, a column for each angle.
 
-    The star is the measured run of the paper; its restitution follows from its velocities.
+    The star is the measured run of the paper. Its restitution follows from the printed velocities.
 
     Args:
         table: Columns of `RodImpact.row`.

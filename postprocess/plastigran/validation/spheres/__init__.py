@@ -40,7 +40,7 @@ TABLE = files("plastigran") / "data" / "finite_elements_spheres.csv"
 
 
 def table() -> pd.DataFrame:
-    """Read the table of the package."""
+    """Read the table of finite-element results for spheres from the package."""
     with TABLE.open() as file:
         return pd.read_csv(file, comment="#")
 

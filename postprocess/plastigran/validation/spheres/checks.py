@@ -42,9 +42,9 @@ COMPARED = {
 
 
 def refined() -> pd.DataFrame:
-    """Return the mean and largest change with finer settings [%] of the rows of each metal.
+    """Return the mean and the largest change [%] of the results of each metal with finer settings.
 
-    Rows are compared at the same force, from 3 P_Y.
+    Results are compared at the same force, for forces from 3 P_Y.
     """
     rows = []
     for name in REFINED:
@@ -64,7 +64,7 @@ def refined() -> pd.DataFrame:
 def dynamic() -> pd.DataFrame:
     """Return restitution and largest force (in yield units) of dynamic impacts.
 
-    For comparison, values of quasi-static compression are interpolated between rows of the table.
+    The quasi-static values for comparison are interpolated between rows of the table of spheres.
     """
     rows = []
     for name, speed in DYNAMIC:

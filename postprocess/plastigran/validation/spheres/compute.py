@@ -4,7 +4,7 @@
     python -m plastigran.validation.spheres.compute [metal ...]
 
 Metals in the cache are not computed again; every other metal takes one or two minutes. If metals
-are named, the table contains only these.
+are named, the table contains only these metals.
 """
 
 from __future__ import annotations
@@ -24,8 +24,8 @@ from plastigran.validation.spheres import TABLE
 from plastigran.validation.spheres.metals import METALS, RADIUS, SphereMetal
 from plastigran.validation.spheres.release import press_and_release
 
-#: Settings with smaller force increments than the default, because backward Euler has only
-#: first-order accuracy.
+#: Settings of the finite elements. The force increments are smaller than the default, because
+#: backward Euler has only first-order accuracy.
 SETTINGS = Settings(growth=1.04, unloading_steps=10)
 
 
@@ -39,7 +39,7 @@ def compute(metal: SphereMetal, settings: Settings = SETTINGS) -> pd.DataFrame:
 
 
 def rows(metal: SphereMetal, pressing: Pressing) -> pd.DataFrame:
-    """Return a row for each unloading, in yield units; columns as in the package."""
+    """Return a row for each unloading; `plastigran.validation.spheres` lists the columns."""
     sphere = metal.sphere
     force, overlap = sphere.yield_force, sphere.approach(sphere.yield_force)
     radius = sphere.contact_radius(force)
@@ -66,7 +66,7 @@ def rows(metal: SphereMetal, pressing: Pressing) -> pd.DataFrame:
 
 
 def main(names: Sequence[str]) -> None:
-    """Compute metals by name, or all of them, and write a table of only these."""
+    """Compute the named metals, or all metals, and write a table of the computed metals."""
     warnings.simplefilter("ignore", SmallStrainWarning)
     tables = []
     for name in names or METALS:

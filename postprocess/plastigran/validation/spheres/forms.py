@@ -112,7 +112,7 @@ class Peak:
 
 
 def depth(constants: Constants, metals: Metals, t: np.ndarray) -> np.ndarray:
-    """Return S = <T - 1> at t = (overlap/overlap_Y)^(1/2) >= 1 (n,)."""
+    """Return S = max(t/q - 1, 0) (n,) at t = (overlap/overlap_Y)^(1/2) >= 1; q is `strength`."""
     k, s = constants, t - 1
     strength = (k.q_1 + s) / (k.q_1 + metals.onset * s)
     strength = strength + k.q_2 * metals.hardening * s / (1 + k.q_3 * s)
@@ -150,7 +150,7 @@ def work_ratio(work_unloading, force, contact_radius):
 def first_loading_work(constants: Constants, metals: Metals, t: np.ndarray) -> np.ndarray:
     """Return the loading work / (F_Y overlap_Y) at each t of an increasing grid from 1 (n,).
 
-    The function uses Gauss quadrature between the points of the grid.
+    The function integrates the force by Gauss quadrature between the points of the grid.
     """
     steps = np.diff(t)
     at = t[:-1, None] + steps[:, None] * NODES

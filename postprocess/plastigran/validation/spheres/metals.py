@@ -23,7 +23,7 @@ FORCE_RATIOS = (1.3, 2, 3, 5, 8, 13, 22, 38, 65, 110, 190, 320, 540, 900, 1600, 
 
 @attrs.frozen
 class SphereMetal:
-    """Metal of the table.
+    """Metal of the table of spheres.
 
     Attributes:
         yield_strength_ratio: sigma_Y/E*.
@@ -79,7 +79,7 @@ class SphereMetal:
 
     @property
     def pair(self) -> laws.MaterialPair:
-        """The metal on a rigid plane, for the laws."""
+        """Material pair of the metal and a rigid plane, for the laws."""
         # tangent modulus E_t = E H/(E + H)
         tangent_modulus = self.youngs_modulus * self.hardening_ratio / (1 + self.hardening_ratio)
         body = laws.Body(
@@ -92,7 +92,7 @@ class SphereMetal:
 
     @property
     def sphere(self) -> HertzSphere:
-        """Scales of the sphere."""
+        """Sphere of this metal, for Hertz's formulas and the yield point."""
         return HertzSphere(self.material, RADIUS)
 
     @property
