@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Cache of finite-element results on disk.
 
-A result is valid for the same arguments and settings until a file of this package or a library
-changes. The folder is `$PLASTIGRAN_CACHE`, or `~/.cache/plastigran`.
+A stored result is used again for the same arguments and settings, until a file of `plastigran.fem`
+or the version of a library changes. The folder is `$PLASTIGRAN_CACHE`, or `~/.cache/plastigran`.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ class CacheWarning(UserWarning):
 
 
 def folder() -> Path:
-    """Return the folder of the results."""
+    """Return the folder of the stored results."""
     return Path(os.environ.get("PLASTIGRAN_CACHE") or Path.home() / ".cache" / "plastigran")
 
 
@@ -45,7 +45,8 @@ def cached(
 ) -> Result:
     """Return `compute(*arguments, settings, progress, **options)`, from disk if possible.
 
-    A damaged file is computed again. A result that stopped early is not stored.
+    The result of a damaged file is computed again. The result of a computation that stopped early
+    is not stored.
 
     Warns:
         CacheWarning: The result could not be stored; the message names the file.
@@ -95,7 +96,7 @@ def _checked(file: bytes) -> bytes:
 
 @cache
 def _sources() -> str:
-    """Return a digest of the code of this package and the versions of libraries."""
+    """Return a digest of the code of `plastigran.fem` and of the versions of libraries."""
     digest = sha256(repr([(name, version(name)) for name in LIBRARIES]).encode())
     for path in sorted(Path(__file__).parent.rglob("*.py")):
         digest.update(path.read_bytes())

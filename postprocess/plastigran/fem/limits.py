@@ -12,7 +12,7 @@ from plastigran.fem.theory.hertz import HertzSphere
 
 SMALL_STRAIN = 0.1  # largest a/R for small strain, with errors of some tenths of a per cent
 LARGEST = 0.4  # largest a/R of any computation
-# Smallest a/R. Below it, the gap r^2/2R at the contact edge is lost in the round-off of R.
+# Smallest a/R. At smaller values, the gap r^2/2R at the contact edge is lost in the round-off of R.
 SMALLEST = 1e-6
 SUBSONIC = 0.1  # largest speed / speed of sound of an impact
 LEAST_HARDNESS = 2.5  # smallest mean pressure / flow stress of a fully plastic contact
@@ -23,7 +23,7 @@ class SmallStrainWarning(UserWarning):
 
 
 def contact_reach(sphere: HertzSphere, force: float) -> float:
-    """Return the largest expected contact radius at a force, m: of a plastic or Hertz contact."""
+    """Estimate the contact radius, m, of an elastic or plastic contact at a force, N."""
     elastic = sphere.contact_radius(force)
     if force <= sphere.yield_force:
         return elastic
@@ -38,7 +38,7 @@ def contact_reach(sphere: HertzSphere, force: float) -> float:
 
 
 def check_forces(sphere: HertzSphere, forces: Sequence[float], *, strain: str = "small") -> None:
-    """Check the forces of a compression, N, for "small" or "finite" strain.
+    """Check the forces of a compression, N; `strain` is "small" or "finite".
 
     Raises:
         ValueError: A force is not positive and finite, does not exceed the previous force, or gives
@@ -57,7 +57,10 @@ def check_forces(sphere: HertzSphere, forces: Sequence[float], *, strain: str = 
 
 
 def force_of_impact(sphere: HertzSphere, speed: float) -> tuple[float, float]:
-    """Estimate the largest force, N, and contact radius, m, of an impact, for the mesh."""
+    """Estimate the largest force, N, and the largest contact radius, m, of an impact.
+
+    The mesh depends on these estimates.
+    """
     elastic = sphere.force(sphere.approach_max(speed))
     if elastic <= sphere.yield_force:
         return elastic, sphere.contact_radius(elastic)
@@ -104,12 +107,12 @@ def check_reach(
     largest: float = LARGEST,
     strain: str = "small",
 ) -> None:
-    """Check that the contact radius suits the method.
+    """Check that the contact radius is within the limits of the computation.
 
     Args:
         sphere: Sphere.
         reach: Largest contact radius, m.
-        cause: Force or speed, for messages.
+        cause: Phrase for messages, such as "a force of 3 N".
         largest: Largest allowed a/R.
         strain: "small", which warns of large a/R, or "finite".
 

@@ -19,7 +19,7 @@ import pandas as pd
 
 PACKAGE = "plastigran."
 TREE = "tree"  # name of the entry that contains the JSON text
-#: Errors that numpy, zip, JSON and the classes raise for content that is not a result.
+#: Errors that numpy, zip, JSON and attrs classes raise if a file does not contain a result.
 NOT_A_RESULT = (
     AttributeError,
     BadZipFile,
@@ -41,7 +41,7 @@ def numbers(result: Any) -> dict[str, float | str]:
 
 
 def to_bytes(result: object) -> bytes:
-    """Return a result as bytes; equal results give the same bytes.
+    """Convert a result to bytes; equal results give equal bytes.
 
     Args:
         result: Numbers, texts, arrays, tables, or lists, tuples, dictionaries and attrs classes of

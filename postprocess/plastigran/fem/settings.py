@@ -12,6 +12,7 @@ from plastigran.fem.mesh.block import HalfBlock
 from plastigran.fem.mesh.sphere import SphereMesh
 from plastigran.fem.theory.hertz import HertzSphere
 
+# The core is the part of the mesh about the contact point in which all elements have equal size.
 CORE_OVER_YIELD = 1.2  # core radius / contact radius at yield
 CORE_OVER_REACH = 0.5  # largest core radius / largest contact radius
 
@@ -39,11 +40,11 @@ class Settings:
         return KINEMATICS[self.strain]()
 
     def mesh(self, sphere: HertzSphere, reach: float, whole: bool) -> SphereMesh:
-        """Return the mesh for contact radii up to `reach`, m."""
+        """Return the mesh of the sphere for contact radii up to `reach`, m."""
         return SphereMesh(radius=sphere.radius, whole=whole, **self._fine_zone(sphere, reach))
 
     def block(self, sphere: HertzSphere, reach: float, size: float) -> HalfBlock:
-        """Return the mesh of the half space under the sphere, of radius `size`, m."""
+        """Return the mesh of the half space under the sphere; `size` is its radius, m."""
         return HalfBlock(size=size, **self._fine_zone(sphere, reach))
 
     def _fine_zone(self, sphere: HertzSphere, reach: float) -> dict[str, float]:

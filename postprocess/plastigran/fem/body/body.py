@@ -16,7 +16,7 @@ from skfem.helpers import dot
 from plastigran.fem.material.elastic_plastic import ElasticPlastic, Response, State
 from plastigran.fem.material.kinematics import SmallStrain
 
-# Integration order of 2 x 2 Gauss points, which avoid locking in volume-preserving plastic flow.
+# Integration order for 2 x 2 Gauss points. They avoid locking in volume-preserving plastic flow.
 STIFFNESS_ORDER = 3
 MASS_ORDER = 5  # order for 3 x 3 Gauss points; with 2 x 2, the mass matrix would be singular
 # Displacement components that are zero on each boundary of the mesh.
@@ -41,7 +41,7 @@ class Body:
         mass_matrices: Mass matrix of each element (n_elements, 16, 16), kg.
         mass_matrix: Consistent mass matrix, kg.
         mass: Mass, kg.
-        upward: One at each vertical degree of freedom (size,).
+        upward: 1 at each vertical degree of freedom, 0 at all others (size,).
         fixed: Fixed degrees of freedom.
     """
 
@@ -121,7 +121,7 @@ class Body:
         return self.kinematics.strain(self._measure(displacement))
 
     def internal_force(self, displacement: np.ndarray, stress: np.ndarray) -> np.ndarray:
-        """Return nodal forces (size,), N, for displacements (size,), m, and stresses, Pa."""
+        """Return the nodal forces (size,), N, of stresses, Pa, at displacements (size,), m."""
         conjugate = self.kinematics.conjugate(self._measure(displacement), stress)
         weighted = conjugate.reshape(*self.volumes.shape, -1) * self.volumes[:, :, None]
         nodal = weighted.reshape(len(self.dofs), 1, -1) @ self._matrices
@@ -130,7 +130,7 @@ class Body:
     def stiffness(self, displacement: np.ndarray, response: Response) -> np.ndarray:
         """Return element stiffness matrices (n_elements, 16, 16), N/m, for displacements, m.
 
-        Elements whose matrix is that of the undeformed body are not computed again.
+        Elements that behave as in the undeformed body keep their elastic matrix.
         """
         changed, changed_tangent = self.kinematics.tangent(
             self._measure(displacement), response, self.material.elastic_tangent
@@ -144,7 +144,7 @@ class Body:
         return result
 
     def elastic_energy(self, displacement: np.ndarray, response: Response) -> float:
-        """Return the elastic energy, J."""
+        """Return the elastic energy of the body, J."""
         elastic = self.strain(displacement) - response.state.plastic_strain
         return float(np.sum(response.stress * elastic, axis=1) @ self.volumes.ravel() / 2)
 

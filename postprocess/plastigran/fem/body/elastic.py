@@ -11,7 +11,8 @@ from scipy.sparse.linalg import eigsh
 
 from plastigran.fem.body.body import Body
 
-RIGID = 1e-6  # eigenvalue / highest eigenvalue below which a mode is a rigid-body motion
+# Eigenvalue / highest computed eigenvalue, below which a mode counts as rigid-body motion.
+RIGID = 1e-6
 
 
 class ElasticBody:
@@ -22,7 +23,7 @@ class ElasticBody:
         free: Degrees of freedom that are not fixed (size,).
         stiffness: Stiffness matrix (size, size), N/m.
         mass_matrix: Mass matrix (size, size), kg.
-        upward: One at each vertical degree of freedom (size,).
+        upward: 1 at each vertical degree of freedom, 0 at all others (size,).
     """
 
     def __init__(self, body: Body) -> None:

@@ -13,8 +13,8 @@ from plastigran.fem.material.elastic_plastic import Response, State
 class Pair:
     """Sphere and the block below it, with the attributes and methods of one `Body`.
 
-    Degrees of freedom, elements and Gauss points of the sphere come first. `upward`, `mass` and the
-    motion of the center of mass belong to the sphere. Energies are sums over both bodies.
+    In all arrays, the entries of the sphere come first. `upward`, `mass` and the motion of the
+    center of mass belong to the sphere only. Energies are sums over both bodies.
 
     Attributes:
         sphere: Upper body.
@@ -68,7 +68,7 @@ class Pair:
         return np.concatenate([self.sphere.stiffness(*upper), self.block.stiffness(*lower)])
 
     def elastic_energy(self, displacement: np.ndarray, response: Response) -> float:
-        """Return the elastic energy, J."""
+        """Return the elastic energy of both bodies, J."""
         upper, lower = self._split(displacement, response)
         return self.sphere.elastic_energy(*upper) + self.block.elastic_energy(*lower)
 

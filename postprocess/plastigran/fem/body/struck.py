@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Body and rigid cylinder that hits it, in one system of equations."""
+"""Body that is hit by a rigid cylinder; one system of equations contains both."""
 
 from __future__ import annotations
 
@@ -13,10 +13,12 @@ from plastigran.fem.material.kinematics import SmallStrain
 
 
 class StruckBody(Body):
-    """Body in plane strain, with the center of a circle as two further degrees of freedom.
+    """Body in plane strain that is hit by a rigid cylinder.
+
+    The center of the cylinder, a circle in the plane, adds two degrees of freedom.
 
     Attributes:
-        center: Degrees of freedom of the center (2,).
+        center: Degrees of freedom of the center of the circle (2,).
         center_mass: Mass of the cylinder, kg.
     """
 

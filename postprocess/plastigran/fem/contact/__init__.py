@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Counterparts of a body in contact: a plane, a half space, a rigid circle."""
+"""Contact of a body with a rigid plane, a half space or a rigid circle, by the penalty method."""

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A rigid circle on the surface of a body, with Coulomb friction: penalty at the Gauss points.
+"""A rigid circle on the surface of a body, by the penalty method with Coulomb friction.
 
-The center of the circle adds two degrees of freedom; the circle does not rotate. d is the vector
-from the center to a point of the deformed surface, n = d/|d| the normal and g = |d| - R the gap.
-The pressure on the surface is p = k <-g> along n, where <x> is max(x, 0). The trial traction along
-the tangent t is the traction of the last equilibrium minus k times the slip since then. The
-traction is limited to mu p (Wriggers, Computational Contact Mechanics, 2006, sec. 5.2).
+The contact forces act at the Gauss points of the surface. The center of the circle adds two degrees
+of freedom; the circle does not rotate. d is the vector from the center to a point of the deformed
+surface, n = d/|d| the normal and g = |d| - R the gap. The pressure on the surface is p = k <-g>
+along n, where <x> is max(x, 0) and k the penalty stiffness. The trial traction along the tangent t
+is the traction of the last equilibrium minus k times the slip since then. The traction is limited
+to mu p (Wriggers, Computational Contact Mechanics, 2006, sec. 5.2).
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ from plastigran.fem.contact.plane import Touch
 
 @attrs.frozen
 class Rub(Touch):
-    """Contact with a circle; `force` is the upward force on the circle.
+    """Contact state with a circle; `force` is the upward force on the circle.
 
     Attributes:
         drag: Force on the circle along the surface, N.
@@ -90,7 +91,10 @@ class RigidCircle:
         self.longest_edge = edges.lengths.max()
 
     def touch(self, displacement: np.ndarray, last: Rub | None = None) -> Rub:
-        """Return the contact at displacements (size,), m, after the equilibrium `last`."""
+        """Return the contact state at displacements (size,), m.
+
+        `last` is the contact state of the last equilibrium; None at the start.
+        """
         change = np.einsum("eqid,ed->eqi", self._distance_matrices, displacement[self.dofs])
         distance = self._start + change
         length = np.linalg.norm(distance, axis=2)
@@ -157,7 +161,7 @@ class RigidCircle:
         return self._edges.mean(self.coordinates), self._edges.mean(touch.pressure)
 
     def ends(self, gap: np.ndarray) -> tuple[float, float]:
-        """Return the coordinates of both ends of the contact, m; zeros without contact.
+        """Return the first coordinates of both ends of the contact, m; zeros without contact.
 
         With an axis of symmetry, the first end is the mirror image of the last.
         """

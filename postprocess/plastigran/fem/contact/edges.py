@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Edges of the surface of a body, with the Gauss points of the contact."""
+"""Element edges on the surface of a body, and their Gauss points for the contact."""
 
 from __future__ import annotations
 
@@ -8,13 +8,13 @@ from skfem import ElementQuadS2, ElementVector, FacetBasis
 
 from plastigran.fem.body.body import Body
 
-# Integration order of three Gauss points per edge. With fewer, the force oscillates while edges
-# open.
+# Integration order for three Gauss points per edge. With fewer points, the force oscillates while
+# edges open.
 EDGE_ORDER = 5
 
 
 class Edges:
-    """Edges and their Gauss points, sorted by first coordinate.
+    """Element edges and their Gauss points, sorted by first coordinate.
 
     Attributes:
         dofs: Degrees of freedom of the three nodes of each edge, both directions (n_edges, 3, 2).
@@ -60,8 +60,8 @@ class Edges:
 def contact_edge(coordinates: np.ndarray, gap: np.ndarray) -> float:
     """Return the coordinate at which the gap opens, m; 0 without contact.
 
-    Outside the contact, the gap grows as (r - a)^(3/2). Its power 2/3 is extrapolated linearly to
-    zero from the first two open points.
+    Near the contact edge r = a, the gap grows as (r - a)^(3/2). The power 2/3 of the gap is
+    extrapolated linearly to zero from the first two open points.
 
     Args:
         coordinates: Coordinates of the Gauss points, from inside to outside (n_points,), m.

@@ -2,7 +2,7 @@
 """Surface of a half space under a sphere, with the same penalty as a rigid plane.
 
 Each Gauss point of the sphere's edges faces the surface point with the same radius in the
-undeformed state. Sliding must be small.
+undeformed state. Sliding between the two surfaces must be small.
 """
 
 from __future__ import annotations
@@ -16,7 +16,9 @@ from plastigran.fem.contact.plane import PENALTY, RigidPlane
 
 
 class HalfSpace(RigidPlane):
-    """Surface of the lower body of a pair. `height` is the height of the base, far below.
+    """Surface of the lower body of a pair.
+
+    The `height` in `touch` is the height of the base, which is far below the contact.
 
     Attributes:
         dofs: Vertical degrees of freedom of the sphere's edge and of the surface, for each Gauss
@@ -26,7 +28,8 @@ class HalfSpace(RigidPlane):
     def __init__(self, pair: Pair, radius: float, reach: float, penalty: float = PENALTY) -> None:
         """Pair the Gauss points of the sphere with the surface.
 
-        Arguments are as for `RigidPlane`. The penalty is in units of E*/h with E* of both bodies.
+        The arguments are those of `RigidPlane`. The penalty is in units of E*/h, with the modulus
+        E* of both bodies.
         """
         sphere, block = pair.sphere, pair.block
         modulus = sphere.material.pair_modulus(block.material)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A rigid frictionless plane under a sphere: penalty at the Gauss points of the surface.
+"""A rigid frictionless plane under a sphere, by the penalty method at Gauss points.
 
-The undeformed surface is the exact circle instead of the edges of the elements: the gap at radius r
-is R - sqrt(R^2 - r^2) + u_y - h for a plane at height h. Pressures act on the horizontal projection
-of the surface.
+The undeformed surface is the exact circle, not the edges of the elements. The gap at radius r is
+therefore R - sqrt(R^2 - r^2) + u_y - h for a plane at height h. Pressures act on the horizontal
+projection of the surface.
 """
 
 from __future__ import annotations
@@ -14,7 +14,8 @@ import numpy as np
 from plastigran.fem.body.body import Body
 from plastigran.fem.contact.edges import Edges, contact_edge
 
-# Number of nodes of an edge of the sphere. They come first in `dofs`; nodes of a half space follow.
+# Number of nodes of an edge of the sphere. These nodes come first in `dofs`, and are followed by
+# the nodes of a half space.
 EDGE_NODES = 3
 PENALTY = 50.0  # penalty stiffness divided by E*/h, with the edge length h
 
@@ -29,7 +30,7 @@ class Touch:
         stiffness: Stiffness matrix of each edge (n_edges, n, n), N/m.
         gap: Gap at the Gauss points from the axis outward (n_points,), m.
         pressure: Pressure at the Gauss points, per undeformed area (n_points,), Pa.
-        stored: Energy of the penalty, J.
+        stored: Elastic energy of the penalty, J.
     """
 
     force: float
@@ -68,7 +69,7 @@ class RigidPlane:
     """
 
     def __init__(self, body: Body, radius: float, reach: float, penalty: float = PENALTY) -> None:
-        """Collect the edges that may touch.
+        """Collect the edges of the sphere that may touch the plane.
 
         Args:
             body: Sphere.
@@ -123,7 +124,10 @@ class RigidPlane:
         return mean(touch.radii), mean(touch.pressure) / touch.widening
 
     def spread(self, stiffness: np.ndarray) -> np.ndarray:
-        """Return the forces per unit rise of the plane (size,), N/m, from edge stiffnesses."""
+        """Return the nodal forces per unit rise of the plane (size,), N/m.
+
+        `stiffness` contains the stiffness matrices of the edges.
+        """
         return self._scatter(stiffness[:, :, :EDGE_NODES].sum(axis=2))
 
     def _scatter(self, nodal: np.ndarray) -> np.ndarray:

@@ -12,7 +12,7 @@ from plastigran.fem.theory.line import HertzLine
 
 LARGEST = 0.6  # largest contact half width / radius of the circle
 PLASTIC_PRESSURE = 2.0  # lower estimate of mean pressure / flow stress
-MARGIN = 1.2  # factor on the thickness from which no wave returns during the contact
+MARGIN = 1.2  # factor on the smallest thickness for which no wave returns during the contact
 
 
 @attrs.frozen(kw_only=True)
@@ -57,7 +57,7 @@ class CylinderStrike:
 
     @property
     def line(self) -> HertzLine:
-        """Elastic contact of the cylinder."""
+        """Elastic contact of the cylinder and the body, with the thickness of the body."""
         if self.thickness is not None:
             return self._line(self.thickness)
         thickness = 10 * self.radius
@@ -83,5 +83,5 @@ class CylinderStrike:
 
     @property
     def oblique(self) -> bool:
-        """Whether the cylinder slides along the body; then there is no symmetry."""
+        """Whether the cylinder slides along the body, which breaks the symmetry."""
         return self.sliding_speed > 0

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Impact of a rigid cylinder on an elastic-plastic body in plane strain, head-on or sliding.
 
-The computation is implicit dynamics of body and cylinder, as for the sphere. The body is half a
-disc with a fixed arc. The radius of the disc is the thickness in Johnson's approach of a line
-contact (Contact Mechanics, 1985, sec. 5.6), or so large that no wave returns from the arc during
-the contact.
+The motion of body and cylinder is computed by implicit dynamics, as for the sphere. The body is
+half a disc with a fixed arc. The radius of the disc is the thickness of the body in Johnson's
+formula for the approach of a line contact (Contact Mechanics, 1985, sec. 5.6). The
+default thickness is so large that no wave returns from the arc during the contact.
 """
 
 from __future__ import annotations
@@ -105,11 +105,11 @@ def equations(case: CylinderStrike, settings: Settings) -> StrikeEquations:
 def strike(
     case: CylinderStrike, settings: Settings | None = None, progress: bool = False
 ) -> Strike:
-    """Compute the impact of a cylinder until it has separated.
+    """Compute the impact of a cylinder until the cylinder has separated from the body.
 
     Args:
         case: Impact.
-        settings: Resolution, as for the sphere; `steps_of_contact` refers to the elastic duration.
+        settings: Settings as for the sphere; `steps_of_contact` refers to the elastic duration.
         progress: Whether to show a bar.
 
     Raises:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Results of the impact of a cylinder."""
+"""Results of the impact of a rigid cylinder on a body."""
 
 from __future__ import annotations
 
@@ -26,15 +26,15 @@ class Strike:
     Attributes:
         case: Input.
         history: One row per step: time s, force N (upward on the cylinder), drag N (on the
-            cylinder, along its motion), approach m (depth of its lowest point below the surface),
-            way m (travel along the surface), velocity m/s (upward), sliding_velocity m/s and
-            half_width m (of the contact). Further columns are plastic_top m and plastic_bottom m
-            (depths of the shallowest and deepest yielded point; NaN before yield), energies J and
-            friction_work J.
+            cylinder, along its motion), approach m (depth of the lowest point of the cylinder below
+            the undeformed surface), way m (travel along the surface), velocity m/s (upward),
+            sliding_velocity m/s and half_width m (of the contact). Further columns are plastic_top
+            m and plastic_bottom m (depths of the shallowest and deepest yielded point; NaN before
+            yield), energies J and friction_work J.
         coefficient_of_restitution: Separation speed / approach speed.
         force_max: Largest force, N.
         overlap_max: Largest approach, m.
-        overlap_res: Approach at the end of contact, m.
+        overlap_res: Approach at the end of the contact, m.
         residual_depth: Depth of the deepest point of the surface at rest, m.
         contact_time: Duration of the contact, s.
         yield_force: Force at first yield, N; NaN without yield.
@@ -76,7 +76,7 @@ class Strike:
 
 
 class StrikeLog:
-    """History and fields of an impact during its computation."""
+    """Recorder of the history and fields of an impact during the computation."""
 
     def __init__(self, flight: Flight) -> None:
         self.flight = flight
@@ -89,7 +89,7 @@ class StrikeLog:
         self.record()
 
     def record(self) -> float:
-        """Append the row of the last step, and return its force, N."""
+        """Append a row for the last step, and return the contact force of this step, N."""
         state = self.flight.now.state
         row = self._row(state)
         self.rows.append(row)
@@ -135,9 +135,9 @@ class StrikeLog:
     def _surface_at_rest(self) -> np.ndarray:
         """Return (x, y) of the track's surface (n_points, 2), m, when the body is at rest.
 
-        The waves are assumed to decay elastically, without further yield. Therefore one linear
-        solution with the undeformed stiffness removes the forces of the last stresses. In finite
-        strain, this is an approximation.
+        The waves are assumed to decay elastically, without further yield. The displacement at rest
+        therefore follows from one linear solution: the undeformed stiffness relaxes the forces of
+        the last stresses. In finite strain, the solution is an approximation.
         """
         body, state = self.body, self.flight.now.state
         fixed = np.concatenate([body.fixed, body.center])

@@ -21,7 +21,7 @@ IDENTITY = np.array([1.0, 1.0, 1.0, 0.0])
 DEVIATOR = np.diag([1.0, 1.0, 1.0, 0.5]) - np.outer(IDENTITY, IDENTITY) / 3
 TWICE_SHEAR = np.array([1.0, 1.0, 1.0, 2.0])
 RETURN_ITERATIONS = 50
-RETURN_TOLERANCE = 1e-13  # tolerance of the radial return / trial stress
+RETURN_TOLERANCE = 1e-13  # largest stress error of the radial return / trial stress
 
 
 class NoReturnError(ArithmeticError):
@@ -82,7 +82,7 @@ class Response:
 
 @attrs.frozen(kw_only=True)
 class ElasticPlastic:
-    """Isotropic metal. Without hardening law, it is elastic."""
+    """Isotropic metal; elastic if `hardening` is None."""
 
     youngs_modulus: float = number("Young's modulus", "Pa", 0)
     poissons_ratio: float = number("Poisson's ratio", "-", -1, 0.5)
@@ -111,7 +111,7 @@ class ElasticPlastic:
         return sqrt((self.bulk_modulus + 4 / 3 * self.shear_modulus) / self.density)
 
     def pair_modulus(self, other: ElasticPlastic | None) -> float:
-        """Return E* of this and another metal, or of this and a rigid body, Pa."""
+        """Return the effective modulus E* of a contact, Pa; `other` is None for a rigid body."""
         if other is None:
             return self.plane_modulus
         return 1 / (1 / self.plane_modulus + 1 / other.plane_modulus)
@@ -123,7 +123,7 @@ class ElasticPlastic:
         return volumetric + 2 * self.shear_modulus * DEVIATOR
 
     def respond(self, strain: np.ndarray, state: State, duration: float = np.inf) -> Response:
-        """Return the response after an increment to `strain` (n, 4) of `duration` seconds."""
+        """Return the response after an increment of `duration` seconds that ends at `strain`."""
         stress = (strain - state.plastic_strain) @ self.elastic_tangent
         if self.hardening is None:
             return Response(stress, state, np.empty(0, int), np.empty((0, 4, 4)))
@@ -159,7 +159,10 @@ class ElasticPlastic:
     def _flow(
         self, trial: np.ndarray, accumulated: np.ndarray, duration: float
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Return plastic strain steps, flow stresses and slopes, by bounded Newton iterations."""
+        """Return increments of plastic strain, flow stresses and slopes of the flow stress.
+
+        Newton's method finds the increments, with bisection as a fallback.
+        """
         shear = self.shear_modulus
         low, high = np.zeros_like(trial), trial / (3 * shear)
         step = np.zeros_like(trial)

@@ -64,11 +64,11 @@ class SmallStrain:
 class FiniteStrain(SmallStrain):
     """Logarithmic strain E = 1/2 ln C; the measure is the displacement gradient.
 
-    C = F^T F, with F the displacement gradient plus one. E is the sum of an elastic and a plastic
-    part. The stress T of the material is conjugate to E. The first Piola-Kirchhoff stress is
-    T : dE/dF (Miehe, Apel and Lambrecht, Comput. Methods Appl. Mech. Eng. 191 (2002) 5383).
-    Derivatives of E are divided differences of the logarithm at the eigenvalues of C, in the basis
-    of its eigenvectors.
+    C = F^T F, where the deformation gradient F is the unit tensor plus the displacement gradient. E
+    is the sum of an elastic and a plastic part. The stress T of the material is conjugate to E. The
+    first Piola-Kirchhoff stress is T : dE/dF (Miehe, Apel and Lambrecht, Comput. Methods Appl.
+    Mech. Eng. 191 (2002) 5383). Derivatives of E are divided differences of the logarithm at the
+    eigenvalues of C, in the basis of its eigenvectors.
     """
 
     surface_moves = True

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Logarithms of stretches at many points, and their derivatives."""
+"""Logarithmic strain at many points, and its derivatives with respect to deformation."""
 
 from __future__ import annotations
 
@@ -15,7 +15,9 @@ class InvertedError(ArithmeticError):
 
 
 class Stretch:
-    """Stretches at n points, and derivatives of their logarithm with respect to F.
+    """Logarithmic strain E = 1/2 ln C at n points, and its derivatives with respect to F.
+
+    F is the deformation gradient and C = F^T F.
 
     Indices in einsum: n counts points; g and h components of F in the plane; a, b and k
     eigenvectors.
@@ -44,7 +46,7 @@ class Stretch:
         # Eigenvalues of C minus one.
         self._squares = np.stack([mean + spread, mean - spread], axis=-1)
         self._difference = 2 * spread
-        # Compute dC in the basis of eigenvectors for each component rr, yy, ry, yr of dF.
+        # Compute the change dC, in the basis of eigenvectors, for each component of dF (IN_PLANE).
         turned = deformation @ self._vectors
         product = np.einsum("nia,njb->nijab", turned, self._vectors)
         product = product + product.swapaxes(3, 4)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Meshes of a half space under a contact, with surface y = 0.
 
-Elements are graded toward the contact, so a body that is a thousand times larger needs only a few
-more rings. The far boundary, `base`, is a fixed arc.
+The element size grows with the distance from the contact. A body that is a thousand times larger
+therefore needs only a few more rings of elements. The far boundary, `base`, is a fixed arc.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from plastigran.fem.mesh.sphere import (
     strip_quads,
 )
 
-WIDEST_RING = 0.4  # largest step in s between rings about a track; distant elements may be long
+WIDEST_RING = 0.4  # largest step of the coordinate s between two rings about a track
 
 
 @attrs.frozen(kw_only=True)
@@ -64,8 +64,8 @@ class HalfBlock:
 class TrackBlock:
     """Half space with a sliding contact: elliptic rings about the track of the contact.
 
-    With z = c cosh(s + i theta), the ring s = 0 is the track -c < x < c on the surface. Far from
-    the track, the rings are circles.
+    The rings are lines of equal s in z = c cosh(s + i theta). The ring s = 0 is the track
+    -c < x < c on the surface. Far from the track, the rings are circles.
 
     Raises:
         ValueError: A size is not positive, or the rings end within the fine zone.

@@ -29,7 +29,7 @@ class SphereMesh:
         radius: Radius of the sphere, m.
         core: Radius about the contact point inside which elements have equal size, m.
         reach: Largest contact radius of the mesh, m.
-        divisions: Number of elements across `core`; there are twice as many from axis to circle.
+        divisions: Number of elements across `core`. A ring has twice as many from axis to circle.
         fineness: Factor on the number of rings.
         whole: Whether to mesh the whole sphere instead of its lower half.
     """
@@ -104,16 +104,17 @@ class SphereMesh:
         upper_ids[rim] = ring_ids[-1]
         inner = upper_ids < 0
         upper_ids[inner] = sum(map(len, points)) + np.arange(inner.sum())
-        # At the top of the sphere w is infinite. Use a tiny value for 1/w instead of zero.
+        # At the top of the sphere, w is infinite. Use a tiny value for 1/w instead of zero.
         points.append(1 / np.where(disc[inner] == 0, 1e-14, disc[inner]))
         quads.append(upper_ids[disc_quads])
         return np.concatenate(points), np.concatenate(quads)
 
 
 def graded(start: float, fine_end: float, end: float, fine: float, widest: float) -> np.ndarray:
-    """Return values from `start` to `end`.
+    """Return increasing values from `start` to `end`.
 
-    The spacing is `fine` up to `fine_end`. Beyond, it grows by the factor GROWTH, up to `widest`.
+    The spacing is `fine` up to `fine_end`. Beyond `fine_end`, the spacing grows by the factor
+    GROWTH from value to value, up to `widest`.
     """
     count = max(1, round((fine_end - start) / fine))
     values = list(np.linspace(start, fine_end, count + 1))
@@ -139,7 +140,7 @@ def quarter_disc(divisions: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return a unit quarter disc of quads: a curved square inside rings.
 
     Args:
-        divisions: Elements along a side of the square; the circle has twice as many.
+        divisions: Number of elements along a side of the square; the arc has twice as many.
 
     Returns:
         Points x + iy (n,), quads (m, 4), and IDs of the points on the circle from the real to the

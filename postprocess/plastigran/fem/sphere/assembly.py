@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Meshes, bodies and contact of a sphere on a plane or a half space."""
+"""Equations of a sphere on a plane or a half space: meshes, bodies and contact."""
 
 from __future__ import annotations
 
@@ -11,20 +11,21 @@ from plastigran.fem.settings import Settings
 from plastigran.fem.stepping.increment import Equations
 from plastigran.fem.theory.hertz import HertzSphere
 
-# Radius D of the fixed base / contact radius a. The base reduces the approach by 0.4 a/D of it.
+# Radius D of the fixed base / contact radius a. The base reduces the approach by 0.4 a/D, relative
+# to an infinite half space.
 BASE_OVER_REACH = 2000.0
-# Radius of the base / path of a compression wave during Hertz' duration. With this value, the
-# reflected wave arrives after the contact has ended.
+# Radius of the base / path of a compression wave during the Hertz contact duration. With this
+# value, the reflected wave arrives after the contact has ended.
 BASE_OVER_PATH = 0.6
 
 
 def pressed(sphere: HertzSphere, reach: float, settings: Settings) -> Equations:
-    """Return half a sphere, fixed at its equator, on a plane or half space.
+    """Return the equations of half a sphere, fixed at its equator, on a plane or half space.
 
     Args:
         sphere: Sphere and plane.
         reach: Largest expected contact radius, m.
-        settings: Resolution.
+        settings: Settings of mesh and contact.
 
     Raises:
         ValueError: Finite strain is chosen for a half space.
@@ -33,7 +34,10 @@ def pressed(sphere: HertzSphere, reach: float, settings: Settings) -> Equations:
 
 
 def thrown(sphere: HertzSphere, reach: float, speed: float, settings: Settings) -> Equations:
-    """Return a whole sphere with impact speed `speed`, m/s; other arguments as for `pressed`."""
+    """Return the equations of a whole sphere for an impact at `speed`, m/s.
+
+    The other arguments are those of `pressed`.
+    """
     size = 0.0
     if sphere.plane is not None:
         size = BASE_OVER_PATH * sphere.plane.wave_speed * sphere.duration(speed)

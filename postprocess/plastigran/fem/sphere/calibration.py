@@ -4,9 +4,10 @@
 For loading beyond the yield force P_Y, the law is (Vu-Quoc and Zhang, 1999):
 a = a_e + C_a (P - P_Y), a^2 = C_R R alpha, C_R = 1 + K_c (P - P_Y), with the Hertzian contact
 radius a_e and the approach alpha. Each constant is the slope of a least-squares line through zero
-for first loading, weighted by the distance between force increments: C_a for a - a_e, K_c for
-C_R - 1 = (a_e + C_a (P - P_Y))^2 / (R alpha) - 1. The fit of K_c uses the contact radius of the
-law, so that the law reproduces the approach of the finite elements as well as possible.
+for first loading versus P - P_Y: C_a for a - a_e, and K_c for
+C_R - 1 = (a_e + C_a (P - P_Y))^2 / (R alpha) - 1. The weights are the distances between force
+increments. The fit of K_c uses the contact radius of the law. The law therefore reproduces the
+approach of the finite elements as well as possible.
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ LEAST_RATIO = 3.0  # smallest force / yield force of a fit
 
 @attrs.frozen
 class Calibration:
-    """Fitted constants.
+    """Fitted constants of the law `vu_quoc_zhang`, and their errors.
 
     Attributes:
         contact_radius_coefficient: C_a P_Y / a_Y, constant of the law `vu_quoc_zhang`.
@@ -33,7 +34,8 @@ class Calibration:
         force_max: Largest force of the fit, N.
         contact_radius_error: Largest relative difference of a between law and finite elements
             beyond P_Y.
-        approach_error: Largest relative difference of alpha beyond P_Y.
+        approach_error: Largest relative difference of alpha between law and finite elements beyond
+            P_Y.
     """
 
     contact_radius_coefficient: float

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Quasi-static compression and unloading of a sphere on a rigid plane or a half space.
 
-The lower half of the sphere is fixed vertically at its equator, as in a sphere between two planes.
+The lower half of the sphere is fixed vertically at the equator, as for a sphere between two planes.
 The approach is the motion of the plane toward the equator.
 """
 
@@ -25,14 +25,14 @@ from plastigran.progress import ProgressBar
 
 # Ratio of force increments below yield, where the response does not depend on the path.
 ELASTIC_GROWTH = 1.4
-# First force / yield force; for an elastic sphere, first force / (largest force/100).
+# Largest first force / yield force. The first force is also at most a hundredth of `forces[0]`.
 FIRST_FORCE = 0.3
 LEAST_FORCE = 1e-5  # last force of an unloading / largest force
 CUTS = 6  # largest number of halvings of an increment
 
 
 class ForceControl:
-    """Force control of a supported sphere: applies increments, and adds a row for each."""
+    """Force control of a supported sphere: applies force increments, and adds a row for each."""
 
     def __init__(self, equations: Equations, sphere: HertzSphere) -> None:
         self.equations, self.sphere = equations, sphere
@@ -41,7 +41,7 @@ class ForceControl:
         self._before: Equilibrium | None = None
 
     def apply(self, forces: Sequence[float], branch: int, bar: ProgressBar) -> None:
-        """Apply each force in turn; the first one is a load reversal."""
+        """Apply each force in turn; the first force reverses the direction of loading."""
         self._before = None
         for force in forces:
             self._increment(force)
@@ -73,13 +73,16 @@ class ForceControl:
                 self._increment(part, cuts + 1)
 
     def _guess(self, force: float) -> tuple[np.ndarray, float]:
-        """Return the initial guess of Newton's method: extrapolated, or elastic."""
+        """Return the initial guess of Newton's method: displacement and height of the plane.
+
+        The guess is extrapolated; at first touch and after a load reversal, it is elastic.
+        """
         now, before = self.now, self._before
         if now.touch.force == 0:
             return now.displacement, self.sphere.approach(force)
         if before is None:
             return self.equations.predict(now, force)
-        # The approach of an elastic contact is proportional to the power 2/3 of the force.
+        # Extrapolate in the power 2/3 of the force, which is proportional to the elastic approach.
         last, this, following = (f ** (2 / 3) for f in (before.touch.force, now.touch.force, force))
         share = (following - this) / (this - last)
         step = share * (now.displacement - before.displacement)
@@ -94,13 +97,13 @@ def press(
     progress: bool = False,
     plane: ElasticPlastic | None = None,
 ) -> Pressing:
-    """Load a sphere to each force in turn, and unload it after each.
+    """Load a sphere to each force in turn, and unload the sphere after each force.
 
     Args:
         material: Material of the sphere.
         radius: Radius of the sphere, m.
         forces: Largest forces, N, increasing.
-        settings: Resolution.
+        settings: Settings of mesh and increments.
         progress: Whether to show a bar.
         plane: Material of the half space; None for a rigid plane.
 
@@ -137,14 +140,15 @@ def press(
 def loading_ladders(
     sphere: HertzSphere, forces: Sequence[float], settings: Settings
 ) -> list[np.ndarray]:
-    """Return the forces of the increments: up to each largest force, and down to zero."""
+    """Return the forces of all increments, N, an array for each loading and each unloading."""
     yield_force = min(sphere.yield_force, forces[-1])
     least = min(FIRST_FORCE * yield_force, forces[0] / 100)
     elastic = _geometric(least, yield_force, ELASTIC_GROWTH)
     growth = settings.growth if sphere.yield_force < forces[-1] else ELASTIC_GROWTH
     loading = np.concatenate([elastic, _geometric(yield_force, forces[-1], growth)[1:]])
     loading = np.unique(np.concatenate([loading, forces]))
-    # Use cubes, because the force grows with the cube of the contact radius: equal steps in radius.
+    # The elastic force grows with the cube of the contact radius. Cubes therefore give equal steps
+    # of the radius.
     down = np.maximum(np.linspace(1, 0, settings.unloading_steps + 1)[1:] ** 3, LEAST_FORCE)
     ladders, reached = [], 0.0
     for force in forces:
@@ -163,8 +167,8 @@ def _geometric(start: float, end: float, growth: float) -> np.ndarray:
 def unloading(history: pd.DataFrame, branch: int) -> dict[str, float]:
     """Return the results of one unloading.
 
-    Works are integrals of the force with respect to the approach. The work of loading is that of
-    first loading, without the earlier unloadings.
+    Works are integrals of the force with respect to the approach. The work of loading includes
+    first loading only, not earlier unloading and reloading.
     """
     force, approach = (history[name].to_numpy() for name in ("force", "approach"))
     branches = history["branch"].to_numpy()
@@ -172,7 +176,7 @@ def unloading(history: pd.DataFrame, branch: int) -> dict[str, float]:
     up = first_loading_of(history.iloc[: top + 1])[["force", "approach"]].to_numpy().T
     down = np.append(top, np.flatnonzero(branches == branch))
     work_loading = 0.4 * up[0, 0] * up[1, 0] + _work(*up)
-    # The last increment has almost no force: treat the rest of the recovery as a Hertz contact.
+    # The last force is almost zero. Treat the rest of the recovery as a Hertz contact.
     last = down[-1]
     tail = (force[last] / force[top]) ** (2 / 3) * (approach[top] - approach[last])
     work_unloading = -_work(force[down], approach[down])

@@ -27,7 +27,7 @@ class Pressing:
         unloadings: One row per largest force: force, approach, contact_radius, residual_approach,
             work_loading, work_unloading, coefficient_of_restitution.
         snapshots: Fields at each largest force and after each unloading.
-        stopped: Reason of an early end; otherwise empty.
+        stopped: Reason for an early end; otherwise empty.
         plane: Material of the half space; None for a rigid plane.
     """
 
@@ -65,9 +65,9 @@ class Throw:
         history: One row per step: time s, force N, approach m (of the center of mass), velocity m/s
             (of the center of mass, upward), nodal_velocity m/s (mean of the corner nodes, upward),
             contact_radius m, energies J.
-        coefficient_of_restitution: Momentum after / before the impact.
+        coefficient_of_restitution: Momentum after the impact / momentum before the impact.
         nodal_restitution: Restitution from the mean velocity of all corner nodes at the end. It
-            includes the vibration of the sphere, mostly of its finely meshed part.
+            includes the vibration of the sphere, mostly of the finely meshed part.
         force_max: Largest force, N.
         overlap_max: Largest approach, m.
         overlap_res: Approach at the end of contact, m.

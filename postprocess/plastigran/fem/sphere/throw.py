@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Impact of a sphere on a rigid plane or a half space: implicit dynamics, trapezoidal rule.
+"""Impact of a sphere on a rigid plane or a half space, by implicit dynamics (trapezoidal rule).
 
 The sphere starts with its impact speed at first touch.
 """
@@ -21,7 +21,7 @@ from plastigran.fem.stepping.snapshot import energies, snapshot
 from plastigran.fem.theory.hertz import HertzSphere
 from plastigran.progress import ProgressBar
 
-LONGEST = 10.0  # time limit of an impact / Hertz' duration
+LONGEST = 10.0  # time limit of an impact / Hertz contact duration
 
 
 def throw(
@@ -32,13 +32,13 @@ def throw(
     progress: bool = False,
     plane: ElasticPlastic | None = None,
 ) -> Throw:
-    """Compute the impact of a sphere on a plane until it has separated.
+    """Compute the impact of a sphere on a plane until the sphere has separated.
 
     Args:
         material: Material of the sphere.
         radius: Radius of the sphere, m.
         speed: Impact speed, m/s.
-        settings: Resolution.
+        settings: Settings of mesh and time steps.
         progress: Whether to show a bar.
         plane: Material of the half space, so deep that no wave returns during contact; None for a
             rigid plane.

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Impact of an elastic sphere on a rigid plane, and its vibration in flight.
 
-The time steps conserve energy to round-off. Their error therefore does not hide the vibration after
-an impact, which has 1e-6 to 1e-2 of the impact energy.
+The time steps conserve energy to round-off. The numerical error therefore does not hide the
+vibration after an impact, whose energy is 1e-6 to 1e-2 of the impact energy.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from plastigran.fem.theory.hertz import HertzSphere
 from plastigran.progress import ProgressBar
 
 STEPS_OF_TRANSIT = 40  # number of time steps while a compression wave crosses the sphere
-TRANSITS = 200.0
+TRANSITS = 200.0  # default duration of the flight / time in which a wave crosses the sphere
 WIDEST = 0.5  # largest a/R of an elastic impact
 MODES = 12  # number of free vibrations computed
 
@@ -45,9 +45,9 @@ def vibrate(
         material: Material without hardening law, which is elastic.
         radius: Radius of the sphere, m.
         speed: Impact speed, m/s.
-        transits: Duration of the flight / 2 R/c_l, the time in which a compression wave crosses the
-            sphere. Frequencies are resolved if they differ by 8 c_l/(2 R transits).
-        settings: Resolution.
+        transits: Duration of the flight divided by 2 R/c_l, the time in which a compression wave
+            crosses the sphere. Frequencies are resolved if they differ by 8 c_l/(2 R transits).
+        settings: Settings of mesh and time steps.
         progress: Whether to show a bar.
 
     Raises:
@@ -95,7 +95,7 @@ class _History:
         self.record()
 
     def record(self) -> float:
-        """Append the row of the last step, and return its force, N."""
+        """Append a row for the last step, and return the contact force of this step, N."""
         now, before = self.steps.now, self._before
         self._before = now
         rise = float(self._masses @ now.displacement) / self._mass

@@ -86,7 +86,7 @@ class Motion:
         elastic_force: Stiffness times displacement, N.
         momentum: Mass times velocity, kg m/s.
         gap: Gaps at the Gauss points of the surface (n_points,), m.
-        force: Upward force on the body, the mean over the step that ends here, N.
+        force: Upward force on the body, N, the mean over the step that ends at `time`.
     """
 
     time: float
@@ -114,7 +114,7 @@ class Steps:
     def __init__(
         self, elastic: ElasticBody, plane: SpringPlane, velocity: np.ndarray, timestep: float
     ) -> None:
-        """Set the velocity (size,), m/s, of an undeformed body, and the time step, s."""
+        """Start from an undeformed body with velocities (size,), m/s; `timestep` is in s."""
         self.elastic, self.plane, self.timestep = elastic, plane, timestep
         self._factor = splu(
             (2 / timestep**2 * elastic.mass_matrix + elastic.stiffness / 2).tocsc(),

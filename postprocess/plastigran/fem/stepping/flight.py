@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Time steps of a body in contact, by the trapezoidal rule, and the course of an impact.
 
-The Newton iteration of a step starts from the extrapolated displacement of the last step. If it
+The Newton iteration of a step starts from a linear extrapolation of the last step. If the iteration
 started from u + dt v, points could yield that do not yield in the solution.
 """
 
@@ -27,7 +27,7 @@ class Motion:
 
     Attributes:
         time: Time, s.
-        state: Balance of forces.
+        state: State of the body, with its balance of forces.
         velocity: Velocities (size,), m/s.
         acceleration: Accelerations (size,), m/s2.
     """
@@ -129,8 +129,8 @@ def follow(
 def end_of_contact(time: np.ndarray, force: np.ndarray, power: float) -> float:
     """Return the time at which the force reaches zero, s.
 
-    A power of the force is extrapolated linearly from the last two steps in contact, at most to the
-    next step.
+    The given power of the force is extrapolated linearly from the last two steps in contact, at
+    most to the next step.
     """
     last = np.flatnonzero(force > 0)[-1]
     next_time = float(time[min(last + 1, time.size - 1)])

@@ -60,7 +60,7 @@ class Inertia:
 
 @attrs.frozen
 class Balance:
-    """Forces at a displacement of Newton's method.
+    """Forces at one displacement during Newton's method.
 
     Attributes:
         response: Material response.
@@ -80,14 +80,14 @@ Forces = Callable[[np.ndarray], Balance]
 
 
 class Equations:
-    """Balance of forces of a body and its counterpart in contact."""
+    """Balance of forces of a body in contact with a plane, a half space or a circle."""
 
     def __init__(self, body: Body | Pair, contact: RigidPlane | RigidCircle) -> None:
         self.body, self.contact = body, contact
         self._system = SymmetricSystem([body.dofs, contact.dofs], body.size, body.fixed)
 
     def at_rest(self) -> Equilibrium:
-        """Return the equilibrium of the undeformed body that just touches."""
+        """Return the equilibrium of the undeformed body at first touch."""
         body = self.body
         displacement = np.zeros(body.size)
         response = self._respond(displacement, State.undeformed(body.points))
@@ -137,8 +137,8 @@ class Equations:
     ) -> tuple[np.ndarray, float]:
         """Return the Newton changes of displacement (size,) and plane height, m.
 
-        `right` is the right side, nodal forces (size,), N. `excess` is the missing contact force,
-        N.
+        `right` is the right side of the linear system, nodal forces (size,), N. `excess` is the
+        missing contact force, N.
         """
         column = self.contact.spread(edges)
         factor = self._factor([stiffness, edges])
@@ -209,7 +209,7 @@ class Equations:
     def _matrices(
         self, displacement: np.ndarray, balance: Balance, factor: float
     ) -> list[np.ndarray]:
-        """Return element and contact matrices, with `factor` times the masses."""
+        """Return element and contact stiffness matrices, plus `factor` times the mass matrices."""
         body = self.body
         stiffness = body.stiffness(displacement, balance.response)
         return [stiffness + factor * body.mass_matrices, balance.touch.stiffness]

@@ -16,8 +16,7 @@ class SymmetricSystem:
     """Sparse matrix that is assembled from element matrices and factored with SuperLU.
 
     The sparsity is symmetric; the values may be unsymmetric, as with friction. Sparsity and
-    ordering are computed only once. Degrees of freedom are renumbered in the order of the first
-    factorization.
+    ordering are computed only once. Degrees of freedom are renumbered to reduce fill-in.
 
     Attributes:
         free: Free degrees of freedom, in the order of the matrix.

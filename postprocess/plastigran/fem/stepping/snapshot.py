@@ -43,7 +43,7 @@ class Snapshot:
 
 
 def energies(body: Body | Pair, state: Equilibrium) -> dict[str, float]:
-    """Return elastic energy, plastic work and energy of the penalty, J."""
+    """Return the elastic energy and plastic work of a body, and the penalty energy, J."""
     return {
         "elastic_energy": body.elastic_energy(state.displacement, state.response),
         "plastic_work": float(state.response.state.work @ body.volumes.ravel()),

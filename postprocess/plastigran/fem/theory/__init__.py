@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Closed forms: scales of steps and meshes, and reference solutions."""
+"""Closed forms that set the scales of steps and meshes, and are reference solutions."""

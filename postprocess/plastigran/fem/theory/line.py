@@ -38,7 +38,7 @@ class HertzLine:
         return force * self._scale(force) * (2 * self._logarithm(force) - 1) / 4
 
     def _scale(self, force: float) -> float:
-        """Return the force divided by pi E* and length, m."""
+        """Return F/(pi E* L), m, for the force F, N, and the length L of the cylinder."""
         return force / (pi * self.material.plane_modulus * self.length)
 
     def _logarithm(self, force: float) -> float:
@@ -81,6 +81,6 @@ class HertzLine:
         return brentq(lambda force: self.energy(force) - kinetic_energy, 1e-12 * largest, largest)
 
     def duration(self, mass: float, speed: float) -> float:
-        """Estimate the duration of an impact, s, with the secant stiffness."""
+        """Estimate the duration of an impact, s, with the secant stiffness at the largest force."""
         force = self.impact_force(mass, speed)
         return pi * sqrt(mass * self.approach(force) / force)
