@@ -5,10 +5,10 @@
     ./run compare HEAD~20          # a commit, which is checked out and built in build/compare
     ./run compare ../elsewhere     # the folder of a built tree
 
-Each state runs its own decks in its own launcher with the same settings. The runs are every law in
-every collision deck, the benchmark impacts, and each bulk deck with brief settings. Bulk decks run
-on one rank, and for fewer steps on two ranks. Dumps, rows of the log and error messages must be
-identical. The command lists the differences, and exits with 1 if there are any.
+Each state runs its own decks with its own LIGGGHTS and the same settings. The runs are every law in
+every collision deck, the benchmark impacts, and each bulk deck with settings for a short run. Bulk
+decks run on one rank, and for fewer steps on two ranks. Dumps, rows of the log and error messages
+must be identical. The command lists the differences, and exits with 1 if there is a difference.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ class Run:
 
 
 def runs(tree: Path) -> list[Run]:
-    """Return short runs of the laws of this project, with the decks of the tree."""
+    """Return short runs of all laws of this project with the decks of a source tree."""
     inputs, chosen = tree / "inputs", []
     for law in sorted(
         {*laws_for("sphere"), *laws_for("cylinder")}
@@ -67,7 +67,10 @@ def runs(tree: Path) -> list[Run]:
 
 
 def material_with(law: str, deck: Path) -> dict[str, str]:
-    """Return the setting `material` with all constants of the law; {} if the deck has them."""
+    """Return a setting `material` that names a material with all constants of the law.
+
+    The result is {} if the default material of the deck has these constants.
+    """
     default = index_variables(deck)["material"]
     for name in (default, *materials.names()):
         if not materials.read_material(name).missing(law):
@@ -76,7 +79,7 @@ def material_with(law: str, deck: Path) -> dict[str, str]:
 
 
 def execute(tree: Path, run: Run, folder: Path) -> dict[str, bytes]:
-    """Run a deck in a tree, and return the results that must not change, by name."""
+    """Run a deck of a source tree, and return the results that must not change, by name."""
     folder.mkdir(parents=True)
     line = [str(tree / "build" / "liggghts-plastigran"), "-in", str(tree / "inputs" / run.deck)]
     line += ["-log", str(folder / "log.liggghts")]
@@ -100,7 +103,7 @@ def execute(tree: Path, run: Run, folder: Path) -> dict[str, bytes]:
 
 
 def lines_to_compare(log: str, screen: str) -> list[str]:
-    """Return the rows of numbers, and the error messages without the source file they name."""
+    """Return the rows of numbers, and the error messages without positions in source files."""
     rows = [
         line for line in log.splitlines() if re.fullmatch(r"\s*\d+(\s+[-+.\deE]+|\s+nan)+\s*", line)
     ]
@@ -109,7 +112,10 @@ def lines_to_compare(log: str, screen: str) -> list[str]:
 
 
 def built(state: str) -> Path:
-    """Return the folder of a built tree: `state` itself, or a commit that is built first."""
+    """Return the folder of a built source tree.
+
+    It is `state` itself, or a new checkout of the commit `state`, which is built first.
+    """
     if (Path(state) / "build" / "liggghts-plastigran").exists():
         return Path(state).resolve()
     commit = subprocess.run(

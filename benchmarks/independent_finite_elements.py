@@ -5,13 +5,13 @@
     .venv/bin/pip install felupe==11.3.0     # the extra `independent` of this package
     .venv/bin/python benchmarks/independent_finite_elements.py small finite
 
-It takes some minutes on one core.
+The script takes some minutes on one core.
 
 FElupe (GPL-3, by another author) has its own elements, assembly, contact at the nodes, Newton
 method, and plasticity in small strain. In finite strain, this script defines the plasticity for
 FElupe: F = F_e F_p with the exponential return mapping of Simo (1992, Comput. Methods Appl. Mech.
-Eng. 99:61), and a tangent by finite differences. plastigran.fem instead adds logarithmic strains.
-Both codes have the same mesh.
+Eng. 99:61), and a tangent by finite differences. In plastigran.fem, the logarithmic strain is the
+sum of an elastic and a plastic part. Both codes have the same mesh.
 """
 
 from __future__ import annotations
@@ -75,7 +75,7 @@ class FiniteMetal:
         self.strength = material.hardening.yield_strength
 
     def stress(self, x: list[np.ndarray], **_: object) -> list[np.ndarray]:
-        """Return the first Piola-Kirchhoff stress and the new state."""
+        """Return the first Piola-Kirchhoff stress, Pa, and the new state."""
         deformation, state = np.moveaxis(x[0], (0, 1), (-2, -1)), np.moveaxis(x[-1], 0, -1)
         stress, state = self._respond(deformation, state.reshape(*state.shape[:-1], 3, 3))
         state = state.reshape(*state.shape[:-2], 9)
@@ -112,7 +112,7 @@ class FiniteMetal:
 
 
 def by_felupe(case: Case, approaches: np.ndarray) -> np.ndarray:
-    """Return the force [N] for each approach of the plane [m]."""
+    """Return the force [N] that FElupe computes for each approach of the plane [m]."""
     import felupe  # an optional dependency
 
     sphere = HertzSphere(case.material, RADIUS)
@@ -124,7 +124,7 @@ def by_felupe(case: Case, approaches: np.ndarray) -> np.ndarray:
     nodes = np.unique(cells)
     points = source.doflocs[::-1, nodes].T
     mesh = felupe.Mesh(points, np.searchsorted(nodes, cells), "quad8")
-    mesh.add_points([0.0, 0.0])  # point whose displacement is that of the plane
+    mesh.add_points([0.0, 0.0])  # this point moves like the plane
     region = felupe.RegionQuadraticQuad(mesh, quadrature=felupe.GaussLegendre(order=1, dim=2))
     field = felupe.FieldContainer([felupe.FieldAxisymmetric(region, dim=2)])
     solid = felupe.SolidBody(_metal(felupe, case), field)
@@ -170,7 +170,7 @@ def _metal(felupe: ModuleType, case: Case):
 
 
 def compare(case: Case) -> pd.DataFrame:
-    """Return the forces of both codes at the approaches of plastigran.fem."""
+    """Return the forces of both codes for the approaches that plastigran.fem has computed."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", SmallStrainWarning)
         history = press(case.material, RADIUS, [case.force], case.settings).history

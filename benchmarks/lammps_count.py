@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Count the instructions of the pair forces in LAMMPS, for its own laws and those of the plugin.
+"""Count the instructions of the pair forces in LAMMPS, for laws of LAMMPS and of the plugin.
 
 A small bed follows the paths of pair_time.in beyond yield, under callgrind (Debian's package
-valgrind). The count includes all functions that the pair forces call and, with energy balance, its
-loops over particles. It does not include LAMMPS' fix that `mdr` needs. Counts are the same in every
-run of one binary, also on a busy machine.
+valgrind). The count includes all functions that the pair forces call. With energy balance, it also
+includes the loops of the energy balance over particles. It does not include the fix of LAMMPS that
+`mdr` needs. Counts are the same in every run of one binary, also on a busy machine.
 
     ./run bench lammps_count
 """
@@ -36,7 +36,7 @@ COUNTED = (
 
 
 def instructions(name: str) -> int:
-    """Return the number of instructions of the pair forces of a contender in all steps.
+    """Return the number of instructions of the pair forces of a law in all steps.
 
     Raises:
         EngineError: LAMMPS stopped, or callgrind counted nothing.

@@ -8,11 +8,11 @@
 tests/verification/test_mdr.py compares the law `mdr` with this table. The script uses neither the
 plugin nor the Python package.
 
-A sphere on a plane, or one of two equal spheres, moves to one overlap after another, and LAMMPS
-computes one step at each. Three additions of LAMMPS have no effect. Damping is zero, and the bulk
-response is off (psi_b 0). The radius does not grow with plastic flow: the script sets the initial
-radius to half the radius, which limits the growth. LAMMPS takes the first overlap above yield as
-the overlap at yield, so the path contains the exact overlap at yield.
+The script moves a sphere on a plane, or two equal spheres, to a list of overlaps, and LAMMPS
+computes one step at each overlap. Three extensions of MDR in LAMMPS are switched off. Damping is
+zero, and the bulk response is off (psi_b 0). The radius does not grow with plastic flow: the script
+sets the initial radius to half the radius, which limits the growth. LAMMPS uses the first overlap
+above yield as the overlap at yield, so the path contains the exact overlap at yield.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ YOUNGS_MODULUS = 70e9  # Pa
 RADIUS = 0.01  # m
 TURNS = (30.0, 27.0, 60.0, 0.0)  # overlaps / overlap at yield: load, unload in part, reload, unload
 FIELDS = ("geometry", "youngs_modulus", "poissons_ratio", "yield_strength", "radius")
-CASES = [  # each: geometry, nu [-], yield strength [Pa]
+CASES = [  # geometry, Poisson's ratio [-], yield strength [Pa]
     ("sphere_plane", 0.3, 1e8),
     ("sphere_plane", 0.45, 3e8),
     ("two_spheres", 0.3, 1e8),
@@ -60,8 +60,8 @@ set group all d_Ro {held}
 def yield_overlap(nu: float, strength: float) -> float:
     """Return the overlap [m] at which the mean Hertz pressure reaches the limit of MDR.
 
-    The pressure is 4 E' sqrt(d/R)/(3 pi), the limit sigma_Y (1.75 exp(-4.4 d/R) + 1). The result is
-    larger by a relative 1e-12.
+    The pressure is 4 E' sqrt(d/R)/(3 pi). The limit is sigma_Y (1.75 exp(-4.4 d/R) + 1). The result
+    is larger than the exact overlap by a relative 1e-12.
     """
     low, high = 0.0, 1.0
     for _ in range(200):

@@ -6,15 +6,15 @@
 //
 //   law_cost [--repeats N] [LAW ...]
 //
-// The largest overlaps are 1.5 to 100 times the overlap at yield. A phase is
+// The largest overlaps are 1.5 to 100 times the overlap at yield. The phases are
 //
 //   elastic    up to half the overlap at yield
 //   loading    every step is deeper than the previous one
 //   unloading  from the largest overlap down to nine tenths of it
 //   mixed      random steps below and above the largest overlap; two thirds of them load
 //
-// The answer is force and contact radius (`force`), or force, contact radius and energies
-// (`energies`).
+// Each phase runs with two sets of results: force and contact radius (`force`), or force, contact
+// radius and energies (`energies`). The column `answer` names the set.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -38,7 +38,7 @@ namespace plastigran {
 namespace {
 
 constexpr std::size_t contact_count = 4096;
-constexpr std::size_t path_length = 8;  // number of steps of a path, which is repeated
+constexpr std::size_t path_length = 8;  // number of steps of a path
 constexpr double radius_eff = 1.25e-3;  // mean R* of the contacts [m]
 
 // Path of all contacts: their largest overlaps before the path, and their overlaps at each step.
@@ -53,7 +53,7 @@ struct Bed {
   std::vector<Path> paths;
 };
 
-// Returns the contacts; `overlap_y` is overlap/R* at yield.
+// Returns the contacts and their paths; `overlap_y` is overlap/R* at yield.
 Bed make_bed(double overlap_y) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> unit(0, 1);

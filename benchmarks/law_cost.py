@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Measure the cost of every law alone per contact and step: time, instructions, cache misses.
+"""Measure the cost of each law without a host: time, instructions and cache misses of a contact.
 
-law_cost.cpp describes the measurement. callgrind (Debian's package valgrind) counts instructions
-and cache misses, which are the same in every run of one binary. Times are the shortest of many
-repetitions; they depend on the machine and its load.
+All results are for one contact and one step. law_cost.cpp describes the measurement. callgrind
+(Debian's package valgrind) counts instructions and cache misses, which are the same in every run of
+one binary. Times are the shortest of many repetitions; they depend on the machine and on its load.
 
     .venv/bin/python benchmarks/law_cost.py --law stronge universal
 """
@@ -35,10 +35,10 @@ def build() -> None:
 
 
 def times(laws: list[str], repeats: int) -> pd.DataFrame:
-    """Return the time of each law, phase and response, column `ns`.
+    """Return the time of each law, phase and set of results, column `ns` [ns].
 
-    The row of the phase `setup` contains the time to construct the law, and its size in bytes in
-    the column `sum`.
+    The row of the phase `setup` contains the time to construct the law. Its column `sum` contains
+    the size of the law in memory [bytes].
     """
     line = [str(PROGRAM), "--repeats", str(repeats), *laws]
     done = subprocess.run(line, check=True, capture_output=True, text=True)
@@ -46,7 +46,7 @@ def times(laws: list[str], repeats: int) -> pd.DataFrame:
 
 
 def counts(laws: list[str]) -> pd.DataFrame:
-    """Return instructions and misses of the level-1 data cache per contact and step."""
+    """Return the instructions and level-1 data cache misses per contact and step."""
     rows = []
     with TemporaryDirectory() as folder:
         out = Path(folder) / "callgrind"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Write measured values as rows of a table in a page of the docs."""
+"""Write measured values as rows of a table in a page of the documentation."""
 
 from __future__ import annotations
 
@@ -32,7 +32,10 @@ class Row:
 
 
 def write_rows(page: Path, part: str, rows: list[Row]) -> None:
-    """Replace the table of a part in a page, which follows the comment with the part's name."""
+    """Replace the table of a part in a page: the lines between two HTML comments.
+
+    The first comment contains the name of the part, the second comment the word `end`.
+    """
     text = page.read_text()
     table = "".join(f"| {row.cells()} |\n" for row in rows)
     head = "| | measured | at most |\n|---|---|---|\n"

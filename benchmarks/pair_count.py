@@ -3,9 +3,9 @@
 """Count the instructions of the pair forces per contact and step in LIGGGHTS.
 
 A small bed follows the paths of pair_time.in under callgrind (Debian's package valgrind). The count
-includes all functions that the pair forces call and, with energy balance, the ledger's loops over
-particles. Counts are the same in every run of one binary, also on a busy machine. They do not
-contain the costs of memory access and of mispredicted branches.
+includes all functions that the pair forces call. With energy balance, it also includes the loops of
+the energy balance over particles. Counts are the same in every run of one binary, also on a busy
+machine. They do not contain the costs of memory access and of mispredicted branches.
 
     .venv/bin/python benchmarks/pair_count.py --law thornton universal
     .venv/bin/python benchmarks/pair_count.py --law thornton --tangential history partial_slip
@@ -51,10 +51,11 @@ COUNTED = (
 
 
 def contact_steps(bed: Path, shape: str) -> int:
-    """Return the number of contacts with force, summed over the steps. All laws have the same."""
+    """Return the number of contacts with force, summed over the steps; equal for all laws."""
     run_bed(REFERENCE, "plastic", bed, STEPS, count_every=1, shape=shape)
     contacts = read_contacts(WORK / "run" / "contacts.dump")
-    # Count the contacts of the first step of the second run twice, because its setup computes them.
+    # The setup of the second run computes the contacts of its first step again, so count them
+    # twice.
     return len(contacts) + len(contacts.query("step == @STEPS"))
 
 

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Measure the cost of a law: time of its pair forces / time of stock `hertz`.
+"""Measure the cost of a law: time of the pair forces / time of the pair forces of stock `hertz`.
 
-A bed of spheres (bed.in, kept in build/bench) is compressed and half released along given paths
-(pair_time.in), so that every law has the same contacts at every step. In one bed, a low yield
-strength makes nearly all contacts plastic; in the other, a high one keeps all contacts elastic. All
-laws run once per round, and every round begins with another law. Ratios are taken within a round,
-so that slow changes of the machine's speed cancel. `hertz` runs twice per round, and the ratio of
-these two times shows the noise.
+A bed of spheres (bed.in, kept in build/bench) is compressed and half released along prescribed
+paths (pair_time.in). Every law therefore has the same contacts at every step. There are two cases.
+In the plastic bed, a low yield strength makes nearly all contacts plastic. In the elastic bed, a
+high yield strength keeps all contacts elastic. All laws run once per round, and every round begins
+with another law. Ratios are taken within a round, so that slow changes of the machine's speed
+cancel. `hertz` runs twice per round, and the ratio of these two times shows the noise.
 
 The reference is stock `hertz` with restitution 0.6. It computes viscous damping, which the laws do
 not have. All runs have `tangential history`.
@@ -97,7 +97,7 @@ BEDS = {
 
 
 def known_laws() -> list[str]:
-    """Return the names of the laws in LIGGGHTS, and of those with adhesion."""
+    """Return the names of the laws in LIGGGHTS, including the variants with adhesion."""
     lines = (PROJECT / "contact_models/liggghts/plugin/laws.txt").read_text().splitlines()
     names = {line.split()[0] for line in lines if not line.startswith("#")}
     return sorted(names | {name + WITH_ADHESION for name in laws.ADHESIVE_LAWS})
@@ -154,7 +154,7 @@ def run_bed(
 
 
 def pair_times(log: str) -> list[float]:
-    """Return the time in the pair forces of each phase [s], from LIGGGHTS' own timers."""
+    """Return the time of the pair forces in each phase [s], from the timers of LIGGGHTS."""
     times = [float(time) for time in re.findall(r"^Pair  time \(%\) = (\S+)", log, re.MULTILINE)]
     if len(times) != len(PHASES):
         raise EngineError(f"the log has {len(times)} pair times instead of {len(PHASES)}")
@@ -166,7 +166,7 @@ def count_contacts(
 ) -> dict[str, object]:
     """Count the contacts that carry force at full compression, and the share that has yielded.
 
-    A law's state is zero until first yield and comes first in the contact history.
+    The state of the law comes first in the contact history, and is zero until first yield.
     """
     run_bed(law, state, bed, steps, count_every=steps, shape=shape)
     contacts = read_contacts(WORK / "run" / "contacts.dump").query("step == @steps")
@@ -215,7 +215,7 @@ def compare(named: list[str], shape: str, bed: Path, options: argparse.Namespace
 
 
 def summarize(times: pd.DataFrame) -> pd.DataFrame:
-    """Return ratios to the reference of the same round: median and quartiles."""
+    """Return median and quartiles of time / time of the reference in the same round."""
     both = times.groupby(["round", "state", "law"], as_index=False)["time"].sum()
     times = pd.concat([times, both.assign(phase=BOTH)])
     wide = times.pivot(index=["state", "phase", "round"], columns="law", values="time")
@@ -226,7 +226,7 @@ def summarize(times: pd.DataFrame) -> pd.DataFrame:
 
 
 def report(table: pd.DataFrame) -> str:
-    """Return the table as text: one row per state and law, one column per phase."""
+    """Return the table as text: one row per bed and law, one column per phase."""
     text = table.assign(
         cell=[
             f"{row.ratio:.2f} ({row.ratio_q25:.2f}-{row.ratio_q75:.2f})"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figure of the pair time of each law / pair time of stock `hertz`."""
+"""Figure of the cost of each law: time of the pair forces / their time with stock `hertz`."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 
 from plastigran.plot.style import COLOURS, MARKERS, styled, subplots, title
 
-#: The phase of pair_time.py's table that the figure shows.
+#: Phase that the figure shows: the sum of both phases in the table of pair_time.py.
 BOTH = "both"
 
 

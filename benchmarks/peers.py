@@ -1,18 +1,20 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Compare the cost of the laws in both hosts with the cost of the hosts' own laws on one bed.
+"""Compare the cost of laws of this project with laws of LIGGGHTS and LAMMPS on one bed.
 
     ./run bench peers
-    ./run bench peers --part restitution     # their accuracy: peers_restitution.py
+    ./run bench peers --part restitution     # accuracy of the laws: peers_restitution.py
 
-Bed and paths are those of pair_time.py. LAMMPS has a deck with the same grains, paths and steps. A
-first check compares the forces of every grain at full compression in both hosts, with elastic
-contacts without damping: `hertz` in LIGGGHTS, `hertz/material` in LAMMPS.
+The laws of this project run in both hosts. Bed and paths are those of pair_time.py. LAMMPS has a
+deck with the same grains, paths and steps. A first check compares the forces of every grain at full
+compression between the hosts: `hertz` in LIGGGHTS and `hertz/material` in LAMMPS. The contacts of
+this check are elastic and have no damping.
 
-All contenders run once per round, stock `hertz` twice, and every round begins with another one.
+All laws run once per round, stock `hertz` runs twice, and every round begins with another law.
 Ratios are taken within a round. The time of a loop is the processor time of its process, including
-the setup of the run, because a busy machine lengthens it far less than the elapsed time. The time
-of the pair forces is the processor time of the loop times their share in the host's own table.
+the setup of the run. Another load on the machine lengthens this time far less than the elapsed
+time. The time of the pair forces is the processor time of the loop, multiplied by the share of the
+pair forces in the table of times that the host prints.
 """
 
 from __future__ import annotations
@@ -40,8 +42,8 @@ OURS = ("thornton", "vu_quoc_zhang", "kogut_etsion", "universal")
 PLUGIN = tuple(
     f"LAMMPS {law}{ledger}" for law in ("thornton", "universal") for ledger in ("", " with energy")
 )
-#: Limits of the time of our laws, divided by the time of a law of LAMMPS: of the whole loop in
-#: LIGGGHTS, and of the pair forces in LAMMPS.
+#: Targets of time of our laws / time of a law of LAMMPS. The times are those of the whole loop for
+#: our laws in LIGGGHTS, and of the pair forces for our laws in LAMMPS.
 TARGETS = (
     ("loop", OURS, "LAMMPS mdr", 0.25),
     ("loop", OURS, "LAMMPS hertz/material", 0.75),
@@ -52,10 +54,10 @@ TARGETS = (
 
 @dataclass(frozen=True)
 class Contender:
-    """Law in a host.
+    """Law in a host, one of the laws whose costs are compared.
 
     Attributes:
-        law: Name of the law in the host, in LAMMPS with its constants.
+        law: Name of the law in the host; in LAMMPS, the name is followed by the constants.
         properties: Name of a deck in the folder `peers` with further properties.
         style: Pair style of LAMMPS; empty if the host is LIGGGHTS.
     """
@@ -65,7 +67,7 @@ class Contender:
     style: str = ""
 
     def run(self, bed: Path, strength: float, steps: int, restitution: float, folder: Path) -> str:
-        """Move the bed along its paths, and return the log."""
+        """Move the bed along its paths with this law, and return the log."""
         variables: dict[str, object] = {"bed": bed, "steps": steps}
         if self.properties:
             variables["properties"] = HERE / "peers" / self.properties
@@ -77,7 +79,8 @@ class Contender:
         return run_deck(HERE / "pair_time.in", variables, folder)
 
 
-#: LIGGGHTS' tangential / normal damping is sqrt(2 (1 - nu)/(2 - nu)), nu = 0.3.
+#: Tangential model of LAMMPS. Its ratio of tangential to normal damping is the ratio in LIGGGHTS,
+#: sqrt(2 (1 - nu)/(2 - nu)) with Poisson's ratio nu = 0.3.
 FRICTION = "tangential mindlin NULL 0.90748521297303009 0.3"
 HERTZ = Contender(
     f"hertz/material 7e10 {{restitution}} 0.3 {FRICTION} damping coeff_restitution",
@@ -127,10 +130,10 @@ def same_physics(bed: Path, steps: int) -> float:
 
 
 def times(log: str, folder: Path) -> list[float]:
-    """Return three times, each the sum over both phases [s].
+    """Return three times [s], each summed over both phases.
 
-    These are the processor times of the loop and of the pair forces, and the elapsed time of the
-    loop.
+    The times are the processor time of the loop, the processor time of the pair forces, and the
+    elapsed time of the loop.
     """
     stamps = [int(line.split()[0]) for line in (folder / "processor").read_text().splitlines()]
     loop = np.diff(stamps) / 1e9
@@ -150,7 +153,7 @@ def measure(bed: Path, names: list[str], steps: int, repeats: int) -> pd.DataFra
 
 
 def ratios(table: pd.DataFrame, to: str = REFERENCE) -> pd.DataFrame:
-    """Return median and quartiles, by law, of times / time of the law `to` in the same round."""
+    """Return median and quartiles, by law, of time / time of the law `to` in the same round."""
     wide = table.set_index(["round", "law"]).unstack("law")
     columns = []
     for quantity in ("loop", "pair", "clock"):
@@ -162,7 +165,7 @@ def ratios(table: pd.DataFrame, to: str = REFERENCE) -> pd.DataFrame:
 
 
 def markdown(table: pd.DataFrame) -> str:
-    """Return the table of the page in the docs."""
+    """Return the ratios as the table of the page in the documentation."""
     lines = ["| law | loop | pair forces | loop by the clock |", "|---|---|---|---|"]
     for name in CONTENDERS:
         if name in table.index:
@@ -176,7 +179,7 @@ def markdown(table: pd.DataFrame) -> str:
 
 
 def compare_costs(options: argparse.Namespace) -> None:
-    """Check the physics, measure, and print ratios; write rounds to `peers.csv`."""
+    """Check the forces, measure times, print ratios, and write all rounds to `peers.csv`."""
     bed = make_bed(options.grains)
     names = [*options.law, CONTROL]
     if any(CONTENDERS[name].style for name in names):

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Compare the restitution of other codes' plastic laws with finite elements.
+"""Compare the restitution of laws of this project and of other codes with finite elements.
 
 Pairs of equal spheres of one metal collide head-on in each host, one pair per speed. By symmetry,
-each sphere behaves as on the rigid plane of plastigran.validation.spheres. `hooke/hysteresis` has
+each sphere behaves as on a rigid plane, as in plastigran.validation.spheres. `hooke/hysteresis` has
 no material parameters. Its plastic unloading is fitted to the restitution of the finite elements at
 v/v_Y = 100.
 """
@@ -28,9 +28,9 @@ DECKS = Path(__file__).resolve().parent / "peers"
 FIGURE = PROJECT / "docs" / "figures" / "peers.svg"
 METAL = METALS["s0.0012-nu0.3-perfect"]
 SPEED_RATIOS = np.geomspace(1.2, 500, 24)  # impact speeds / yield speed
-#: Number of time steps in the duration of the shortest impact, if it were elastic.
+#: Elastic duration of the fastest impact / time step.
 IMPACT_STEPS = 4000
-#: v/v_Y at which hooke/hysteresis is fitted, and its largest unloading / loading stiffness.
+#: v/v_Y at which hooke/hysteresis is fitted, and largest unloading / loading stiffness of this law.
 AGREES, STIFFEST = 100.0, 5.0
 MATERIALS = {"LAMMPS mdr": "mdr {modulus} {nu} {strength} 0 0.5 0 tangential mindlin NULL 1 0.3 "
              "damping mdr 1"}  # fmt: skip
@@ -39,7 +39,7 @@ OURS = ("thornton", "vu_quoc_zhang", "kogut_etsion", "universal")
 
 
 class Spheres:
-    """Pairs of spheres. The yield speed is the speed of each sphere at first yield [m/s]."""
+    """Pairs of spheres; `speed_y` is the speed of each sphere at first yield [m/s]."""
 
     def __init__(self) -> None:
         material = METAL.material
@@ -87,7 +87,7 @@ class Spheres:
         overlap = speed * (mass / stiffness) ** 0.5
         reference = finite_elements()
         restitution = np.interp(AGREES, reference["speed_ratio"], reference["restitution"])
-        # Overlap at which the stiffness ratio STIFFEST is reached.
+        # `limit` is the overlap at which the stiffness ratio reaches STIFFEST.
         limit = overlap * (STIFFEST - 1) / (1 / restitution**2 - 1)
         depth = limit * (STIFFEST - 1) / STIFFEST / (2 * radius)
         values = {
@@ -108,7 +108,7 @@ class Spheres:
 
 
 def finite_elements() -> pd.DataFrame:
-    """Return columns speed_ratio and restitution of the metal."""
+    """Return the restitution of METAL by finite elements: columns speed_ratio and restitution."""
     rows = table().query("metal == @METAL.name")
     return rows.rename(columns={"coefficient_of_restitution": "restitution"})[
         ["speed_ratio", "restitution"]
@@ -116,7 +116,7 @@ def finite_elements() -> pd.DataFrame:
 
 
 def restitution(folder: Path, names: Iterable[str] = (*OTHERS, *OURS)) -> pd.DataFrame:
-    """Run the impacts of the pairs with every law.
+    """Run the impacts of the pairs of spheres with every law.
 
     Args:
         folder: Folder of the files of the hosts.

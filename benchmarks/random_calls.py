@@ -4,13 +4,13 @@
 
     .venv/bin/python benchmarks/random_calls.py --calls 10000000
 
-Contacts of random bodies and sizes follow random paths of overlaps, from far apart to deeper than
-the bodies. Some overlaps are as small as floating-point numbers can be. All results must be finite,
-and no force, energy or contact radius may be negative. With the energy guard, the plastic work of a
-contact may neither decrease nor be negative. Below the largest overlap, no force may exceed the
-largest earlier force. A repeated call must return the same result. The script prints each violation
-with its seed and law. Pairs of bodies that a law rejects do not count as calls, and a law without a
-call counts as a failure.
+Contacts of random bodies and sizes follow random paths of overlaps. The bodies may be far apart,
+and overlaps may exceed the size of the bodies or be almost as small as the smallest floating-point
+numbers. All results must be finite, and no force, energy or contact radius may be negative. With
+the energy guard, the plastic work of a contact may neither decrease nor be negative. Below the
+largest overlap, no force may exceed the largest earlier force. A repeated call must return the same
+result. The script prints each violation with its seed and law. Pairs of bodies that a law rejects
+do not count as calls, and a law without a call counts as a failure.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from plastigran.usable_laws import laws_for
 
 # Numbers of contacts, and of steps of a contact, for one random pair of bodies.
 CONTACTS, STEPS = 200, 100
-#: Round-off of energy differences, relative to the energies of a contact.
+#: Allowed round-off of energy differences, relative to the energies of a contact.
 ROUND_OFF = 1e-11
 
 
@@ -54,7 +54,7 @@ def random_body(random: np.random.Generator) -> laws.Body:
 
 
 def random_paths(random: np.random.Generator, radius: np.ndarray) -> np.ndarray:
-    """Return overlaps (CONTACTS, STEPS) [m]: for each contact, steps of all sizes about a depth."""
+    """Return a random path of overlaps for each contact, (CONTACTS, STEPS) [m]."""
     depth = 10 ** random.uniform(-14, 0.5, (CONTACTS, 1))
     walk = np.cumsum(random.standard_normal((CONTACTS, STEPS)), axis=1) / 5
     jumps = random.choice([-1.0, 0.0, 1e-300, 1e-8, 1.0], (CONTACTS, STEPS))

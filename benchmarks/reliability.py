@@ -5,8 +5,8 @@
     ./run reliability                    # all parts; about half an hour on two cores
     ./run reliability kills restarts     # only the parts on killed runs and on restarts
 
-The script writes the rows of these parts into docs/reliability.md, and results into
-results/reliability. It ends with an error if a value exceeds its limit.
+The script writes the table rows of the chosen parts into docs/reliability.md, and the results of
+the runs into results/reliability. It ends with an error if a value exceeds its limit.
 """
 
 from __future__ import annotations
@@ -103,7 +103,7 @@ def restarts(folder: Path, count: int) -> Iterator[Row]:
 
 
 def ranks(folder: Path, _: int) -> Iterator[Row]:
-    """Compare one gas on 1, 2 and 4 ranks."""
+    """Compare runs of the same granular gas on 1, 2 and 4 ranks."""
     values = {"side": "8", "mixing": "0.1", "duration": "60", "rows": "240", "checkpoints": "1"}
     runs = {}
     for count in (1, 2, 4):
@@ -130,7 +130,7 @@ def ranks(folder: Path, _: int) -> Iterator[Row]:
 
 
 def ledger(folder: Path, _: int) -> Iterator[Row]:
-    """Run every bulk deck at its default size, on two ranks."""
+    """Check the energy balance of every bulk deck at its default size, on two ranks."""
     for deck in sorted(file.stem for file in (PROJECT / "inputs" / "bulk").glob("*.in")):
         run = run_bulk(deck, {}, folder / deck, ranks=2).raise_if_failed()
         series, checks = run.series, run.checks.set_index("name")
@@ -145,7 +145,7 @@ def ledger(folder: Path, _: int) -> Iterator[Row]:
 
 
 def size(folder: Path, _: int) -> Iterator[Row]:
-    """Run a gas of more than 200 000 grains for 20 000 steps, on two ranks."""
+    """Measure time and memory of a gas of more than 200 000 grains, on two ranks."""
     log = folder / "log.liggghts"
     values = {"side": "59", "mixing": "0.1", "duration": "1e9", "rows": "1000000000"}
     values |= {"checkpoints": "1"}
@@ -156,7 +156,7 @@ def size(folder: Path, _: int) -> Iterator[Row]:
         "thermo 1000\nrestart 20000 ${output}/checkpoint.*.restart\nrun 20000 upto\n"
     )
     (folder / "cooling_gas.in").write_text(text)
-    with get_context("spawn").Pool(1) as pool:  # a process that has no children but the ranks
+    with get_context("spawn").Pool(1) as pool:  # a process whose only children are the ranks
         peak = pool.apply(_largest_rank, (folder / "cooling_gas.in", values, folder))
     loop = re.findall(
         r"Loop time of (\S+) on 2 procs for 20000 steps with (\d+) atoms", log.read_text()

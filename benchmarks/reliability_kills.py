@@ -96,13 +96,13 @@ def kill_until_done(work: Path, ranks: int, whole: Path) -> tuple[list[int], Pat
         process = get_context("fork").Process(target=_run_part, args=(folder, ranks, earlier))
         process.start()
         log, until = LogFollower(folder / "log.liggghts"), at + random.uniform(0, 0.15) * last
-        # A new run starts with a run for mixing, which counts its own steps.
+        # A new simulation begins with a `run` command for mixing, which has its own step count.
         while process.is_alive() and (log.read().step < until or log.progress.run < 1 + (at == 0)):
             time.sleep(0.002)
         time.sleep(random.uniform(0, 0.02))
         by_itself = not process.is_alive()
         for engine in engines(folder):
-            with suppress(ProcessLookupError):  # the process has ended with another one
+            with suppress(ProcessLookupError):  # the process has ended already
                 os.kill(engine, signal.SIGKILL)
         process.join(60)
         if process.exitcode == 0:

@@ -6,8 +6,8 @@
     ./run bench size --part cost --grains 1000000 --repeats 1
 
 A bed of 25 by 25 by 20 grains settles once on a floor (size/settle.in, kept in build/bench/size).
-Wider beds are copies of this bed side by side. All contenders run once per round, and ratios are
-taken within a round. Times are processor times, but the comparison of ranks uses elapsed times.
+Wider beds are copies of this bed side by side. All laws run once per round, and ratios are taken
+within a round. Times are processor times, except that the comparison of ranks uses elapsed times.
 
     cost        time and memory of laws, without and with energy balance; checkpoint and restart
     ranks       strong and weak scaling on two ranks, and the cost of two beds at the same time
@@ -39,7 +39,7 @@ LAWS = {
     "universal, ledger": {"law": "universal", "ledger": 1},
     "hertz again": {"law": "hertz"},
 }
-#: Settings of a settled bed that differ from the usual ones, by the description of the change.
+#: Changed settings of a settled bed, by the description of the change.
 SETTINGS = {
     "as it is": {},
     "again": {},

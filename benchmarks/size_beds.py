@@ -39,16 +39,16 @@ class Run:
         grains: Number of grains.
         ranks: Number of MPI ranks.
         steps: Number of timed steps.
-        clock: Elapsed time of these steps [s].
-        processor: Processor time of the first rank in these steps [s].
-        first: Memory of the first rank in its first run, before these steps [bytes].
-        later: Memory of the first rank in these steps [bytes].
+        clock: Elapsed time of the timed steps [s].
+        processor: Processor time of the first rank in the timed steps [s].
+        first: Memory of the first rank in its first run, before the timed steps [bytes].
+        later: Memory of the first rank during the timed steps [bytes].
         peak: Largest memory of the first rank [bytes]. It includes the contact histories that the
             plugin stores between runs.
-        sections: Times from LIGGGHTS' own table [s], by name of `SECTIONS`.
+        sections: Times [s] in the table that LIGGGHTS prints, by the names in `SECTIONS`.
         ghosts: Mean number of ghost atoms of a rank.
         neighbors: Number of pairs in the neighbor lists.
-        checkpoint: Processor time of the checkpoint [s]; nan without one.
+        checkpoint: Processor time of the checkpoint [s]; nan without a checkpoint.
     """
 
     grains: int
@@ -141,7 +141,7 @@ def run(
     log = run_deck(DECKS / deck, variables, folder, ranks, timeout=None)
     stamps = np.array([line.split() for line in (folder / "stamps").read_text().splitlines()])
     processor, clock = stamps[:, 0].astype(float) / 1e9, stamps[:, -1].astype(float)
-    # The first run warms up; the second is measured.
+    # The first run is a warm-up; the second run is measured.
     part = log.split("Loop time of")[2]
     head = re.search(r"for (\d+) steps with (\d+) atoms", part)
     times = {
@@ -168,6 +168,6 @@ def run(
 
 
 def _bytes(file: Path) -> float:
-    """Return the median memory that the kernel reported [bytes]; nan if it reported none."""
+    """Return the median memory [bytes] in a file of kernel reports; nan if the file is empty."""
     kilobytes = [int(line.split()[1]) for line in file.read_text().splitlines()]
     return 1024 * float(np.median(kilobytes)) if kilobytes else float("nan")

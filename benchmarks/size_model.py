@@ -43,7 +43,7 @@ class Costs:
     """Measured costs of one rank.
 
     Attributes:
-        grain: Time per grain and step, with its share of contacts [s].
+        grain: Time per grain and step, including the contacts of the grain [s].
         copy: Time per ghost atom and step, to pack, send and unpack it in memory [s].
         bytes: Memory per grain [bytes].
     """
@@ -82,9 +82,10 @@ def copies(grains: float) -> float:
 
 
 def contacts_factor(grains: float) -> float:
-    """Return the number of contacts that the rank of a cube computes, divided by its fair share.
+    """Return the factor by which double computation increases the contacts of a rank.
 
-    A grain at a face has a quarter of its contacts across the face, which two ranks compute.
+    Two ranks compute each contact across a face. A grain at a face has a quarter of its contacts
+    across this face.
     """
     return 1 + 1.5 * grains ** (-1 / 3)
 
@@ -107,7 +108,8 @@ def step_time(grains: float, ranks: int, costs: Costs, cluster: Cluster) -> dict
 def fit(table: pd.DataFrame, law: str = "thornton") -> Costs:
     """Fit the costs to the rounds of `size.py --part cost`, by medians.
 
-    The time of copies is a row of LIGGGHTS' table, scaled from elapsed to processor time.
+    The time of ghost atoms is a row in the table of LIGGGHTS, scaled from elapsed to processor
+    time.
     """
     rows = table[table["law"] == law]
     steps = rows["processor"] / rows["steps"]
@@ -120,7 +122,7 @@ def fit(table: pd.DataFrame, law: str = "thornton") -> Costs:
 
 
 def predict(costs: Costs, cluster: Cluster) -> pd.DataFrame:
-    """Return time and memory of a million to a thousand million grains, for numbers of ranks."""
+    """Return time and memory for 10^6 to 10^9 grains and several numbers of grains per rank."""
     rows = []
     for grains in (1e6, 1e7, 1e8, 1e9):
         for per_rank in (100_000, 10_000, 1000):

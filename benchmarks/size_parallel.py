@@ -25,8 +25,8 @@ LAW = {"law": "thornton"}
 def ranks(options: argparse.Namespace) -> None:
     """Measure strong and weak scaling by elapsed time.
 
-    Two beds of half the size run at the same time on one rank each. They show the cost of sharing
-    the machine without communication.
+    For comparison, two beds of half the size run at the same time on one rank each. Their time
+    shows the cost of sharing the machine without communication.
     """
     grains = options.grains[0]
     along = WIDTHS[grains]
@@ -86,7 +86,7 @@ def many(options: argparse.Namespace, count: int = 64) -> None:
 
 
 def calls(options: argparse.Namespace) -> None:
-    """Print the numbers of messages and bytes per step that the first of four ranks sends."""
+    """Print the MPI calls and bytes per step of the first of four ranks."""
     program = WORK / "mpi_calls.so"
     source = DECKS / "mpi_calls.c"
     subprocess.run(["mpicc", "-O2", "-shared", "-fPIC", "-o", program, source], check=True)
@@ -106,7 +106,7 @@ def calls(options: argparse.Namespace) -> None:
 
 
 def maps(options: argparse.Namespace) -> None:
-    """Print the memory of the base bed if its grains have the large IDs of a huge bed."""
+    """Print the memory of the base bed for small and for large atom IDs, as in a huge bed."""
     for first in (1, 250_000_000):
         for way in ("array", "hash"):
             bed = widen(base(), 1, 1, first)

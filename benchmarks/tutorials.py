@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Run shortened tutorials of LIGGGHTS with a law instead of their normal model; print a table.
+"""Run shortened tutorials of LIGGGHTS with laws of this project, and print a table.
 
     .venv/bin/python benchmarks/tutorials.py [TREE] [--laws universal thornton] [--rounds 3]
 
-TREE is LIGGGHTS' source tree, which tests/in_tree/build_upstream.sh fetches. The script adds a
-yield strength to each deck, and changes nothing else in the physics.
+TREE is the source tree of LIGGGHTS, which tests/in_tree/build_upstream.sh fetches. The script
+replaces the normal model of each deck by a law, adds a yield strength, and changes nothing else in
+the physics.
 """
 
 from __future__ import annotations
@@ -28,9 +29,10 @@ class Tutorial:
     """Tutorial of LIGGGHTS, and the changes that shorten its run.
 
     Attributes:
-        folder: Folder in examples/LIGGGHTS/Tutorials_public, and name of its deck after `in.`.
-        share: Fraction of the steps of each run.
-        steps: Variable with a number of steps, and its new value.
+        folder: Folder in examples/LIGGGHTS/Tutorials_public, and name of the deck without `in.`,
+            separated by a slash.
+        share: Number of steps of each run / number of steps in the tutorial.
+        steps: Name of a variable with a number of steps, and its new value.
         strength: Yield strength / Young's modulus. With the default, grains yield in most contacts.
     """
 
@@ -95,7 +97,7 @@ def run(text: str, source: Path, folder: Path, ranks: int = 1) -> tuple[float, s
     (folder / "post").mkdir(exist_ok=True)
     (folder / "deck.in").write_text(text)
     before = getrusage(RUSAGE_CHILDREN).ru_utime
-    # Set no variables, because the tutorials do not have those of this project's decks.
+    # Set no variables, because the tutorials do not have the variables `inputs` and `output`.
     none = {"inputs": None, "output": None}
     log = run_deck(folder / "deck.in", none, folder, ranks=ranks, working_folder=folder)
     return getrusage(RUSAGE_CHILDREN).ru_utime - before, log
@@ -111,7 +113,7 @@ def outcome(text: str, source: Path, folder: Path, ranks: int) -> str:
 
 
 def row(tutorial: Tutorial, tree: Path, laws: list[str], rounds: int, folder: Path) -> str:
-    """Return a row: outcomes of the first law on one and two ranks, and the cost of each law."""
+    """Return a table row: outcomes of the first law on 1 and 2 ranks, and the cost of each law."""
     deck = tree / "examples/LIGGGHTS/Tutorials_public" / tutorial.deck
     original = shortened(deck.read_text(), tutorial)
     texts = [original, *(ported(original, law, tutorial.strength) for law in laws), original]

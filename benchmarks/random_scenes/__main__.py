@@ -9,7 +9,7 @@ particles that approach each other. Each side of the box is periodic or a wall; 
 mesh. A scene runs on one to four ranks, in up to four runs. Between runs, an event deletes, creates
 or displaces particles, resets the step, repeats the pair style, or restarts on other ranks. The
 replay computes the expected forces, elastic energy and plastic work only from the positions in the
-frames. A scene follows from its seed, so `--seed 17 --scenes 1 --keep FOLDER` repeats one.
+frames. A scene follows from its seed: `--seed 17 --scenes 1 --keep FOLDER` repeats scene 17.
 """
 
 from __future__ import annotations
@@ -79,9 +79,12 @@ def judge(seed: int, folder: Path) -> Verdict:
 
 
 def compare(scene: Scene, folder: Path, logs: list[Path]) -> tuple[int, int, float, float, float]:
-    """Return contacts, frames and largest differences of force, elastic energy, plastic work."""
+    """Return numbers of contacts and frames, and largest relative differences from the replay.
+
+    The differences are those of force, elastic energy and plastic work.
+    """
     ledger = [read_thermo(log) for log in logs]
-    # Drop rows without energies, which `run 0` leaves.
+    # Drop the rows of `run 0`, which have no energies.
     lines = pd.concat(ledger, ignore_index=True)[ledger[0].columns].dropna()
     lines = lines.set_axis(["run", "step", "kinetic", "elastic", "plastic", "drift"], axis=1)
     replay, last = Replay(scene), None
@@ -107,7 +110,11 @@ def compare(scene: Scene, folder: Path, logs: list[Path]) -> tuple[int, int, flo
 def match(
     scene: Scene, event: Event, frame: Frame, last: tuple[np.ndarray, np.ndarray, int] | None
 ) -> np.ndarray:
-    """Return the names of a frame's particles: each keeps the name of the nearest earlier one."""
+    """Return the names of the particles in a frame.
+
+    A particle has the same name in all runs, although commands may change atom IDs. Each particle
+    has the name of the nearest particle in the last frame; a new particle has a new name.
+    """
     if last is None:
         return frame.ids
     names, before, step = last

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Write the decks of a scene: one for each process, which continues from a restart file."""
+"""Write the decks of a scene: a first deck, and one deck for each restart."""
 
 from __future__ import annotations
 
@@ -14,17 +14,17 @@ from scene import Scene
 
 from plastigran.laws import hertz_yield_pressure_factor
 
-#: Radius of the sphere around a place, in which particles are deleted [m].
+#: Particles whose distance from a random place is below this radius are deleted [m].
 NEAR = 0.13
 _VARIABLES = ("variable inputs index inputs", "variable output index .")  # as in every deck
-MESH_CELLS = 3  # cells of the meshed wall along a side
+MESH_CELLS = 3  # number of cells of the meshed wall along each side
 
 
 def write_decks(scene: Scene, folder: Path) -> list[tuple[Path, tuple[int, int, int]]]:
     """Write the decks, and the mesh of the wall.
 
     Returns:
-        Each deck with its ranks along x, y and z, in the order to run.
+        Each deck with its numbers of ranks along x, y and z, in the order of the runs.
     """
     if scene.meshed:
         (folder / "floor.stl").write_text(_plane(scene))
@@ -199,7 +199,7 @@ def _words(values) -> str:
 
 
 def _plane(scene: Scene) -> str:
-    """Return an STL file of the lower z wall."""
+    """Return the text of an STL file with the lower z wall."""
     edges = np.linspace(scene.low, scene.high, MESH_CELLS + 1)
     lines = ["solid floor"]
     for x, x_next in pairwise(edges[:, 0]):

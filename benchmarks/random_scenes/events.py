@@ -57,7 +57,8 @@ def random_events(
 ) -> Iterator[Event]:
     """Yield one to four events in a box with corners `low` and `high` [m].
 
-    The particles start at `positions` with `radius` and move by some gaps `gap` [m] until the end.
+    The particles start at `positions`, have radii `radius`, and move by several times `gap` [m] in
+    all runs together.
     """
     grid = _grid(random)
     side = np.where([axis in walled for axis in AXES], 1e30, high - low)
@@ -92,8 +93,8 @@ def _free_place(
 ) -> np.ndarray:
     """Return a place for a new particle [m]: anywhere, or near another particle.
 
-    The place is the one of twenty random places that is farthest from the particles at the start.
-    `side` is the length of the box on periodic axes, otherwise infinite.
+    Of up to twenty random places, the function selects the place with the largest distance from the
+    initial particles. `side` is the length of the box on periodic axes, otherwise infinite.
     """
     near_another, best = random.random() < 0.5, (-np.inf, low)
     for _ in range(20):

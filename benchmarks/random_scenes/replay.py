@@ -20,7 +20,7 @@ from plastigran import laws
 
 @dataclass
 class Contact:
-    """Law of a contact, with the yield strength at the rate of first touch, and contact history."""
+    """Law and history of a contact; the yield strength is for the rate of first touch."""
 
     law: laws.Law
     state: object = None
@@ -99,7 +99,7 @@ class Replay:
         return self._laws[one, other]
 
     def _meetings(self, place, radius) -> Iterator[tuple[int, int | str, np.ndarray, float]]:
-        """Yield contacts: particle i, particle j or a wall, unit vector towards i, overlap [m]."""
+        """Yield the contacts: particle i, particle j or a wall, unit vector to i, overlap [m]."""
         periodic = np.array([axis not in self.scene.walled for axis in AXES])
         apart = place[:, None] - place[None]
         side = self.scene.high - self.scene.low

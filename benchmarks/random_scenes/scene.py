@@ -15,8 +15,8 @@ from plastigran.laws import Body
 from plastigran.usable_laws import laws_for
 
 #: Largest overlap / radius in an impact of the smallest radius with the largest mass. The initial
-#: speeds are reduced to reach this limit. Overlaps are larger if several particles act on one; at 1
-#: the plugin stops the run.
+#: speeds are reduced until impacts are below this limit. Overlaps are larger if several particles
+#: press on one particle. The plugin stops the run at an overlap / radius of 1.
 DEEPEST = 0.6
 
 
@@ -34,7 +34,7 @@ class Scene:
         low, high: Corners of the box [m].
         walled: Axes with walls at both ends; the others are periodic.
         wall_type: Atom type of the walls.
-        meshed: Whether the lower z wall is a plane of triangles, between other walls.
+        meshed: Whether the lower z wall is a mesh of triangles; all sides then have walls.
         timestep: Time step [s].
         sort: Number of steps between sorts of particles in memory; 0 for never.
         events: Events, each followed by a run; the first event does nothing.
@@ -113,8 +113,8 @@ def random_scene(seed: int) -> Scene:
     )
 
 
-#: Laws for which the plugin interpolates the response at a rate factor (docs/rate_factor.md). The
-#: Python module computes it exactly.
+#: Laws for which the plugin interpolates the response at a rate factor (docs/rate_factor.md), while
+#: the Python module computes the exact response.
 INTERPOLATED = {"universal", "mdr", "jackson_green", "ghaednia", "ghaednia_2019"}
 INTERPOLATED |= {"kogut_komvopoulos", "ye_komvopoulos"}
 
@@ -139,7 +139,7 @@ def _body(random: np.random.Generator, yields: bool, rate: bool) -> Body:
 def _deepest(
     between: list[tuple[laws.Law, float]], density: float, radius: np.ndarray, speed: float
 ) -> float:
-    """Return the largest overlap [m] of particles with the largest mass and smallest radius."""
+    """Return the largest overlap [m] for the largest mass and the smallest radius of a scene."""
     mass = 4 / 3 * pi * radius.max() ** 3 * density / 2
     impacts = (law.central_impact(radius.min() / 2, mass, speed) for law, _ in between)
     return max(float(impact.overlap_max) for impact in impacts)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Count the calls of MPI. If preloaded, this library writes a file mpi_calls.<rank> in the working
-// folder of LIGGGHTS: a line for each function with calls and bytes sent or reduced.
+// Library that counts MPI calls if LIGGGHTS preloads it. It writes a file mpi_calls.<rank> in the
+// working folder of LIGGGHTS. The file has a line for each MPI function: number of calls, and bytes
+// sent or reduced.
 #include <mpi.h>
 #include <stdio.h>
 
