@@ -25,12 +25,12 @@ class Strike:
 
     Attributes:
         case: Input.
-        history: One row per step: time s, force N (upward on the cylinder), drag N (on the
-            cylinder, along its motion), approach m (depth of the lowest point of the cylinder below
-            the undeformed surface), way m (travel along the surface), velocity m/s (upward),
-            sliding_velocity m/s and half_width m (of the contact). Further columns are plastic_top
-            m and plastic_bottom m (depths of the shallowest and deepest yielded point; NaN before
-            yield), energies J and friction_work J.
+        history: One row per step. Columns are time s, force N (upward on the cylinder), drag N (on
+            the cylinder, along its motion) and approach m (depth of the lowest point of the
+            cylinder below the undeformed surface). Columns of the motion are way m (travel along
+            the surface), velocity m/s (upward) and sliding_velocity m/s. Further columns are
+            half_width m of the contact, plastic_top m and plastic_bottom m (depths of the
+            shallowest and deepest yielded point; NaN before yield), energies J and friction_work J.
         coefficient_of_restitution: Separation speed / approach speed.
         force_max: Largest force, N.
         overlap_max: Largest approach, m.
