@@ -114,7 +114,7 @@ def lines_to_compare(log: str, screen: str) -> list[str]:
 def built(state: str) -> Path:
     """Return the folder of a built source tree.
 
-    It is `state` itself, or a new checkout of the commit `state`, which is built first.
+    The tree is the folder `state`, or a new checkout of the commit `state`, which is built first.
     """
     if (Path(state) / "build" / "liggghts-plastigran").exists():
         return Path(state).resolve()

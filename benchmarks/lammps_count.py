@@ -2,9 +2,10 @@
 """Count the instructions of the pair forces in LAMMPS, for laws of LAMMPS and of the plugin.
 
 A small bed follows the paths of pair_time.in beyond yield, under callgrind (Debian's package
-valgrind). The count includes all functions that the pair forces call. With energy balance, it also
-includes the loops of the energy balance over particles. It does not include the fix of LAMMPS that
-`mdr` needs. Counts are the same in every run of one binary, also on a busy machine.
+valgrind). The count includes all functions that the pair forces call. With energy balance, the
+count also includes the loops of the energy balance over particles. The count does not include the
+fix of LAMMPS that `mdr` needs. Counts are the same in every run of one binary, also on a busy
+machine.
 
     ./run bench lammps_count
 """

@@ -4,7 +4,7 @@
 
 All results are for one contact and one step. law_cost.cpp describes the measurement. callgrind
 (Debian's package valgrind) counts instructions and cache misses, which are the same in every run of
-one binary. Times are the shortest of many repetitions; they depend on the machine and on its load.
+one binary. Times are the shortest of many repetitions. Times depend on the machine and its load.
 
     .venv/bin/python benchmarks/law_cost.py --law stronge universal
 """
@@ -37,7 +37,7 @@ def build() -> None:
 def times(laws: list[str], repeats: int) -> pd.DataFrame:
     """Return the time of each law, phase and set of results, column `ns` [ns].
 
-    The row of the phase `setup` contains the time to construct the law. Its column `sum` contains
+    The row of the phase `setup` contains the time to construct the law and, in the column `sum`,
     the size of the law in memory [bytes].
     """
     line = [str(PROGRAM), "--repeats", str(repeats), *laws]

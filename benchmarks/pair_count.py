@@ -3,9 +3,9 @@
 """Count the instructions of the pair forces per contact and step in LIGGGHTS.
 
 A small bed follows the paths of pair_time.in under callgrind (Debian's package valgrind). The count
-includes all functions that the pair forces call. With energy balance, it also includes the loops of
-the energy balance over particles. Counts are the same in every run of one binary, also on a busy
-machine. They do not contain the costs of memory access and of mispredicted branches.
+includes all functions that the pair forces call. With energy balance, the count also includes the
+loops of the energy balance over particles. Counts are the same in every run of one binary, also on
+a busy machine. The counts do not contain the costs of memory access and of mispredicted branches.
 
     .venv/bin/python benchmarks/pair_count.py --law thornton universal
     .venv/bin/python benchmarks/pair_count.py --law thornton --tangential history partial_slip

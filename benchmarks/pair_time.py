@@ -9,8 +9,8 @@ high yield strength keeps all contacts elastic. All laws run once per round, and
 with another law. Ratios are taken within a round, so that slow changes of the machine's speed
 cancel. `hertz` runs twice per round, and the ratio of these two times shows the noise.
 
-The reference is stock `hertz` with restitution 0.6. It computes viscous damping, which the laws do
-not have. All runs have `tangential history`.
+The reference is stock `hertz` with restitution 0.6. The reference computes viscous damping, which
+the laws of this project do not have. All runs have `tangential history`.
 
     .venv/bin/python benchmarks/pair_time.py --repeats 5 --law thornton
     .venv/bin/python benchmarks/pair_time.py --copies 3 --law universal

@@ -5,10 +5,10 @@
     ./run bench peers
     ./run bench peers --part restitution     # accuracy of the laws: peers_restitution.py
 
-The laws of this project run in both hosts. Bed and paths are those of pair_time.py. LAMMPS has a
-deck with the same grains, paths and steps. A first check compares the forces of every grain at full
-compression between the hosts: `hertz` in LIGGGHTS and `hertz/material` in LAMMPS. The contacts of
-this check are elastic and have no damping.
+The laws of this project run in both hosts. pair_time.py describes the bed and the paths. LAMMPS has
+a deck with the same grains, paths and steps. A first check compares the forces of every grain at
+full compression between the hosts: `hertz` in LIGGGHTS and `hertz/material` in LAMMPS. The contacts
+of this check are elastic and have no damping.
 
 All laws run once per round, stock `hertz` runs twice, and every round begins with another law.
 Ratios are taken within a round. The time of a loop is the processor time of its process, including
@@ -42,8 +42,8 @@ OURS = ("thornton", "vu_quoc_zhang", "kogut_etsion", "universal")
 PLUGIN = tuple(
     f"LAMMPS {law}{ledger}" for law in ("thornton", "universal") for ledger in ("", " with energy")
 )
-#: Targets of time of our laws / time of a law of LAMMPS. The times are those of the whole loop for
-#: our laws in LIGGGHTS, and of the pair forces for our laws in LAMMPS.
+#: Targets for time of a law of this project / time of a law of LAMMPS: for laws in LIGGGHTS, ratios
+#: of the times of the whole loop; for laws in LAMMPS, ratios of the times of the pair forces.
 TARGETS = (
     ("loop", OURS, "LAMMPS mdr", 0.25),
     ("loop", OURS, "LAMMPS hertz/material", 0.75),
@@ -79,7 +79,7 @@ class Contender:
         return run_deck(HERE / "pair_time.in", variables, folder)
 
 
-#: Tangential model of LAMMPS. Its ratio of tangential to normal damping is the ratio in LIGGGHTS,
+#: Tangential model of LAMMPS. The ratio of tangential to normal damping is the same as in LIGGGHTS,
 #: sqrt(2 (1 - nu)/(2 - nu)) with Poisson's ratio nu = 0.3.
 FRICTION = "tangential mindlin NULL 0.90748521297303009 0.3"
 HERTZ = Contender(

@@ -3,8 +3,8 @@
 
 Pairs of equal spheres of one metal collide head-on in each host, one pair per speed. By symmetry,
 each sphere behaves as on a rigid plane, as in plastigran.validation.spheres. `hooke/hysteresis` has
-no material parameters. Its plastic unloading is fitted to the restitution of the finite elements at
-v/v_Y = 100.
+no material parameters. The plastic unloading of this model is fitted to the restitution of the
+finite elements at v/v_Y = 100.
 """
 
 from __future__ import annotations
@@ -57,7 +57,7 @@ class Spheres:
     def elastic_time(self, speed: float) -> float:
         """Return the duration of an elastic impact at a given speed of each sphere [s].
 
-        It is 2.94 times the largest overlap divided by the closing speed.
+        The duration is 2.94 times the largest overlap divided by the closing speed.
         """
         scale = 15 / 16 * (self.mass / 2) * (2 * speed) ** 2
         overlap = (scale / (self.pair.youngs_modulus_eff * (self.radius / 2) ** 0.5)) ** 0.4

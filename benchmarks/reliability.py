@@ -6,7 +6,7 @@
     ./run reliability kills restarts     # only the parts on killed runs and on restarts
 
 The script writes the table rows of the chosen parts into docs/reliability.md, and the results of
-the runs into results/reliability. It ends with an error if a value exceeds its limit.
+the runs into results/reliability. The script ends with an error if a value exceeds its limit.
 """
 
 from __future__ import annotations
@@ -149,7 +149,7 @@ def size(folder: Path, _: int) -> Iterator[Row]:
     log = folder / "log.liggghts"
     values = {"side": "59", "mixing": "0.1", "duration": "1e9", "rows": "1000000000"}
     values |= {"checkpoints": "1"}
-    # The duration of the deck is in collision times; replace it by a number of steps.
+    # The duration in the deck is in collision times. Replace the duration by a number of steps.
     deck = PROJECT / "inputs" / "bulk" / "cooling_gas.in"
     text = deck.read_text()
     text = text.partition("variable per_row")[0] + (

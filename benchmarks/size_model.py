@@ -8,8 +8,8 @@ In the model, a rank owns a cube of n grains. With `newton off`, both ranks comp
 a face of the cube. A rank sends the grains near its faces to six ranks. One reduction decides
 whether all ranks rebuild their neighbor lists. The times of contacts and of ghost atoms are fitted
 to the runs of size.py. The numbers of contacts and ghost atoms follow from geometry and agree with
-a count on four ranks. size/mpi_calls.c counts bytes and calls. Values that were not measured are
-assumptions; they are the fields of `Cluster`.
+a count on four ranks. size/mpi_calls.c counts bytes and calls. The fields of `Cluster`
+are assumptions, which were not measured.
 """
 
 from __future__ import annotations
@@ -29,9 +29,9 @@ RESULTS = PROJECT / "results" / "bench"
 REACH = 1.29
 #: Bytes that a ghost atom takes in a message: position, velocity and spin, eight bytes per number.
 COPY_BYTES = 72
-#: Bytes read from memory per grain and step, for a bed that is larger than any cache. They are the
-#: misses of a last-level cache of 1 MiB in cachegrind, times 64 bytes. The values of `hertz`,
-#: `thornton` and `universal` agree within 1 %.
+#: Bytes read from memory per grain and step, for a bed that is larger than any cache: the misses of
+#: a last-level cache of 1 MiB in cachegrind, times 64 bytes. The values of `hertz`, `thornton` and
+#: `universal` agree within 1 %.
 TRAFFIC_BYTES = 970
 #: Bytes of `atom_modify map array` per grain of the whole bed, on every rank; bytes of a checkpoint
 #: per grain.

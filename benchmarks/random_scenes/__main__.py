@@ -37,14 +37,14 @@ from plastigran.engine.log import LOG, read_thermo
 from plastigran.engine.process import PROJECT, run_deck
 
 #: Largest allowed difference, relative to the largest force or energy of a scene. An overlap of
-#: 1e-5 of the box has a round-off of 1e-11, and steep curves multiply it by ten.
+#: 1e-5 of the box has a round-off of 1e-11, and steep curves multiply the round-off by ten.
 TOLERANCE = 1e-9
 RESULTS = PROJECT / "results" / "random_scenes.csv"
 
 
 @dataclass(frozen=True)
 class Verdict:
-    """Result of a scene: its largest relative differences, or the error that stopped it."""
+    """Result of a scene: largest relative differences, or the error that stopped the scene."""
 
     seed: int
     law: str

@@ -2,7 +2,8 @@
 """Compute the forces and energies of a scene from its positions, with numpy and the laws.
 
 The positions of the particles alone determine the contacts of every frame. The history of a contact
-begins when the overlap begins, and ends when the overlap ends. No command of the deck changes it.
+begins when the overlap begins, and ends when the overlap ends. No command in the deck changes a
+history.
 """
 
 from __future__ import annotations
@@ -50,7 +51,7 @@ class Replay:
         """Return forces [N], elastic energy and plastic work [J]; update the histories.
 
         LIGGGHTS computes forces in the middle of a step, with velocities from half a step earlier.
-        At the start of a run, it uses the velocities of the frame.
+        At the start of a run, LIGGGHTS uses the velocities of the frame.
 
         Args:
             names: Names of the particles, the same in all runs.

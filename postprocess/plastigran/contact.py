@@ -151,11 +151,11 @@ class Contact:
     def yield_overlap(self) -> float:
         """Overlap at which the weaker body first yields [m]; infinite for a law without yield.
 
-        For spheres, it is R* (pi p_y/(2 E*))^2, where the largest Hertzian pressure equals the
-        contact yield pressure p_y of the weaker body (Johnson, Contact Mechanics, 1985, sec. 6.1).
-        For cylinders, the mean pressure is 1.5 sigma_Y there (Katta & Polycarpou 2010, J. Tribol.
-        132:041402). All laws for the same shape share this value, although the curve of a law may
-        leave the elastic curve at a smaller or larger overlap.
+        For spheres, the yield overlap is R* (pi p_y/(2 E*))^2. The largest Hertzian pressure then
+        equals the contact yield pressure p_y of the weaker body (Johnson, Contact Mechanics, 1985,
+        sec. 6.1). For cylinders, the mean pressure at yield is 1.5 sigma_Y (Katta & Polycarpou
+        2010, J. Tribol. 132:041402). All laws for the same shape share this value, although the
+        curve of a law may leave the elastic curve at a smaller or larger overlap.
 
         Raises:
             ValueError: The contact of a cylinder at yield is too large for the thickness of the
@@ -167,7 +167,8 @@ class Contact:
     def yield_force(self) -> float:
         """Force at `yield_overlap` [N]; infinite for a law without yield.
 
-        For spheres, it is pi^3 p_y^3 R*^2/(6 E*^2); for cylinders, 36 sigma_Y^2 R* L/(pi E*).
+        The yield force is pi^3 p_y^3 R*^2/(6 E*^2) for spheres, and 36 sigma_Y^2 R* L/(pi E*) for
+        cylinders.
         The sources and the exceptions are those of `yield_overlap`.
         """
         return self._yield()[0]
@@ -176,8 +177,8 @@ class Contact:
     def yield_speed(self) -> float:
         """Closing speed v_y of a central impact that just reaches `yield_overlap` [m/s].
 
-        It follows from 1/2 m* v_y^2 = W_y, the elastic work up to yield; for spheres, W_y = 2/5 F_y
-        overlap_y. It is infinite for a law without yield.
+        The yield speed follows from 1/2 m* v_y^2 = W_y, the elastic work up to yield. For spheres,
+        W_y = 2/5 F_y overlap_y. For a law without yield, the yield speed is infinite.
 
         Source: Thornton 1997, J. Appl. Mech. 64:383, eq. 22.
 

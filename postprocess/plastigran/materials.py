@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 RIGID = laws.Body(1e30, 0.3)
 
 #: Reserved words in tables and folder names, for the wall `RIGID`, no wall, and default options.
-#: They cannot be names of materials.
+#: These words cannot be names of materials.
 RIGID_WALL, NO_WALL, USUAL = TAKEN = "rigid", "none", "default"
 #: Allowed names of materials.
 _NAME = re.compile(r"\w([\w .+-]*[\w.+-])?")

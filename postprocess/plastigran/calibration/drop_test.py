@@ -49,8 +49,8 @@ class DropTest:
         restitution: Coefficients of restitution (N,).
         ball: Material of the ball.
         plate: Material of the plate, or `RIGID`.
-        radius: Radius of the ball [m]. It affects the restitution only if the yield strength
-            depends on the strain rate.
+        radius: Radius of the ball [m]. The radius affects the restitution only if the yield
+            strength depends on the strain rate.
 
     Raises:
         ValueError: A speed or restitution is out of range, the numbers of speeds and restitutions

@@ -107,7 +107,7 @@ class Hardness:
     def scatter(self) -> float:
         """Relative 95 % half-width of the flow stress.
 
-        It combines the scatters of reading, conversion and constraint factor.
+        This value combines the scatters of reading, conversion and constraint factor.
         """
         return hypot(READING_SCATTER, SCALES[self.scale].scatter, CONSTRAINT_SCATTER)
 
@@ -151,8 +151,8 @@ def flow_stress(vickers: ArrayLike) -> np.ndarray:
 def steel_yield_strength(vickers: ArrayLike) -> np.ndarray:
     """Return the tensile yield strength [Pa] of hypoeutectoid steels from `vickers` (any shape).
 
-    The strength follows from a line fitted to 150 steels of 300 to 1700 MPa. It is lower than the
-    flow stress in a contact.
+    The strength follows from a line fitted to 150 steels of 300 to 1700 MPa. The tensile yield
+    strength is lower than the flow stress in a contact.
     Source: Pavlina & Van Tyne 2008, J. Mater. Eng. Perform. 17:888.
     """
     return 1e6 * (2.876 * np.asarray(vickers, dtype=float) - 90.7)

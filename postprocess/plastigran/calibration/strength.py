@@ -129,7 +129,7 @@ def from_leeb(leeb: float | str, law: str, metal: Material, scatter: float | Non
     Args:
         leeb: Reading, see `read_leeb`.
         law: Name of the law.
-        metal: Material of the sample; its strength is not used.
+        metal: Material of the sample; the function does not use its strength.
         scatter: Relative standard deviation of the restitution; None for `LEEB_SCATTER`.
 
     Raises:
@@ -164,7 +164,7 @@ def from_drops(drops: DropTest, law: str, metal: Material, scatter: float | None
     Args:
         drops: Drop test.
         law: Name of the law.
-        metal: Material that is calibrated, of ball or plate; its strength is not used.
+        metal: Material of ball or plate that is calibrated; the function does not use its strength.
         scatter: Relative standard deviation of one restitution; None for `DROP_SCATTER`.
 
     Raises:

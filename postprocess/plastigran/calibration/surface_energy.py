@@ -138,8 +138,8 @@ def calibrate_adhesion(
         radius_other: Radius of body b [m]; None for a flat.
         pull_off_force: Force that separates the bodies [N].
         sticking_speed: Closing speed below which the bodies stick [m/s].
-        load: Largest compressive force before pull-off [N]. It has an effect only for laws with
-            yield.
+        load: Largest compressive force before pull-off [N]. The load has an effect only for laws
+            with yield.
         law: Name of a law with a surface energy.
 
     Raises:

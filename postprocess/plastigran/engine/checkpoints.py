@@ -195,9 +195,9 @@ def is_complete(checkpoint: Path) -> bool:
     A file of LAMMPS begins and ends with the same 16 bytes. In a file of LIGGGHTS, each rank writes
     the number of its values (four bytes) and then the values (eight bytes each). The first value of
     each particle is the number of values of this particle. A rank without particles writes only the
-    number 0. The function looks for the last rank with particles. Its values must end at the end of
-    the file, or be followed only by zeros. The function cannot detect a file that ends exactly
-    after the values of an earlier rank.
+    number 0. The function looks for the last rank with particles. The values of this rank must end
+    at the end of the file, or be followed only by zeros. The function cannot detect a file that
+    ends exactly after the values of an earlier rank.
     """
     size = checkpoint.stat().st_size
     if size < 4:

@@ -76,7 +76,7 @@ def read_contacts(
     """Read a `dump local` file of a `compute pair/gran/local` or `wall/gran/local`.
 
     Args:
-        path: File. Its label gives kind and fields (`dump_modify ID label "PAIR pos id ..."`).
+        path: File with a label for kind and fields (`dump_modify ID label "PAIR pos id ..."`).
         kind: "PAIR" or "WALL", for a file without such a label.
         fields: Fields of the compute, e.g. "pos id force delta", for a file without such a label.
         touching: Whether to drop neighbors without overlap and force, which LIGGGHTS lists too.
@@ -96,7 +96,7 @@ def read_contacts(
 def _column_names(
     path: str | Path, label: str, table: pd.DataFrame, kind: str | None, fields: str | None
 ) -> list[str]:
-    """Return the column names; they follow from the label if kind or fields are not given."""
+    """Return the column names, by the label of the file if kind or fields are not given."""
     if kind is None or fields is None:
         kind, _, fields = label.partition(" ")
         if kind not in ("PAIR", "WALL"):

@@ -14,10 +14,10 @@ class RunBar:
 
     Args:
         name: Text before the bar.
-        log: Log of LIGGGHTS; it may be created later.
+        log: Path of the log, which may not exist yet.
         shown: Whether to show the bar.
         planned: Total steps of all runs of the deck, or 0 if unknown. The bar then uses the line
-            `planned steps = N` of the log; without this line, it covers only the current run.
+            `planned steps = N` of the log. Without this line, the bar shows only the current run.
     """
 
     def __init__(self, name: str, log: Path, shown: bool = True, planned: int = 0) -> None:

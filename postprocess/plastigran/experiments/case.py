@@ -113,7 +113,7 @@ class Case:
 
         Args:
             folder: Folder of the results.
-            timestep: Time step [s]; by default that of the case.
+            timestep: Time step [s]; by default the time step of the case.
             ranks: Number of MPI ranks.
             variables: Further variables of the deck, such as `gap`, the initial distance between
                 the surfaces [m].

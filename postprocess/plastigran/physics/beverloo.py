@@ -114,7 +114,7 @@ class Discharge:
     def reduced(self) -> float:
         """Reduced rate (W/(rho_b sqrt(g)))^(2/5) [m].
 
-        In Beverloo's law, it is a linear function of the orifice diameter.
+        In Beverloo's law, the reduced rate is a linear function of the orifice diameter.
         """
         return (self.rate / (self.bulk_density * self.gravitational_acceleration**0.5)) ** 0.4
 
@@ -131,8 +131,8 @@ def measure_discharge(
     """Measure the rate of the steady part: fit a line to the discharged grains versus time.
 
     The steady part begins after sqrt(2 D0/g), the time of free fall by one orifice diameter,
-    because the flow develops in this time. It ends when `STEADY_SHARE` of the grains are
-    discharged, because the level is then near the cone.
+    because the flow develops in this time. The steady part ends when `STEADY_SHARE` of
+    the grains are discharged, because the level is then near the cone.
 
     Args:
         series: Columns time [s] since the orifice opened, atoms, counted (discharged grains), and

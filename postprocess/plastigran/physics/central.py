@@ -78,8 +78,9 @@ def viscoelastic_number(
 def viscoelastic_restitution(number: ArrayLike) -> np.ndarray:
     """Return the coefficient of restitution of viscoelastic spheres for v* [-], any shape.
 
-    This is the Padé form of Müller & Pöschel 2011, Phys. Rev. E 84:021302. It exceeds the solution
-    of the equation of motion by 6e-8 at v* = 0.1, by 0.14 % at 0.6 and by 1.2 % at 1.
+    The formula is the Padé form of Müller & Pöschel 2011, Phys. Rev. E 84:021302. The Padé form
+    exceeds the solution of the equation of motion by 6e-8 at v* = 0.1, by 0.14 % at v* = 0.6 and by
+    1.2 % at v* = 1.
     """
     x = np.asarray(number, dtype=float)
     above = np.polynomial.Polynomial([1, 0.501086])
@@ -162,7 +163,8 @@ def sphere_yield(pair: laws.MaterialPair, radius_eff: float) -> tuple[float, flo
 def yield_speed(pair: laws.MaterialPair, radius_eff: float, mass_eff: float) -> float:
     """Return the closing speed at which a central impact just reaches yield [m/s].
 
-    It follows from 1/2 m* v_y^2 = 2/5 F_y overlap_y; Thornton 1997, J. Appl. Mech. 64:383, eq. 22.
+    The yield speed v_y follows from 1/2 m* v_y^2 = 2/5 F_y overlap_y; Thornton 1997, J. Appl. Mech.
+    64:383, eq. 22.
     """
     *_, work = sphere_yield(pair, radius_eff)
     return sqrt(2 * work / mass_eff)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Free vibrations of a sphere that a normal impact can excite.
 
-A normal impact is symmetric about the normal. It excites radial and spheroidal modes, but not
-toroidal modes, which twist the sphere.
+A normal impact is symmetric about the normal. Such an impact excites radial and spheroidal modes,
+but not toroidal modes, which twist the sphere.
 """
 
 from __future__ import annotations

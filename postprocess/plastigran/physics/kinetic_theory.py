@@ -2,7 +2,7 @@
 """Mean-field cooling of a granular gas with a restitution that depends on impact speed.
 
 The gas is homogeneous, with Maxwellian velocities and smooth equal spheres in binary collisions.
-Its granular temperature T is a third of the mean square speed [m^2/s^2], per unit mass.
+The granular temperature T is a third of the mean square speed [m^2/s^2], per unit mass.
 """
 
 from __future__ import annotations
@@ -164,8 +164,8 @@ def cool(gas: Gas, temperature: float, times: ArrayLike) -> pd.DataFrame:
 def haff(temperature: float, cooling_rate: float, times: ArrayLike) -> np.ndarray:
     """Return the temperature [m^2/s^2] of a gas with constant restitution, any shape.
 
-    It is T0 / (1 + t/tau)^2 with 2/tau = (1 - e^2) collision_rate/3 at time 0; Haff 1983, J. Fluid
-    Mech. 134:401.
+    The temperature is T0 / (1 + t/tau)^2 with 2/tau = (1 - e^2) collision_rate/3 at time 0; Haff
+    1983, J. Fluid Mech. 134:401.
 
     Args:
         temperature: T0 [m^2/s^2].

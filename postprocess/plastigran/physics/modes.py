@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Free vibrations of a homogeneous elastic sphere, to judge quasi-static contact laws.
 
-Toroidal modes shear the sphere along its surface. Spheroidal modes displace the surface; those of
-degree 0 are radial. x = k a and y = h a are the radius a times the wave numbers of shear and
-compression at the frequency of the mode. y/x = c_t/c_l depends only on Poisson's ratio.
+Toroidal modes shear the sphere along its surface. Spheroidal modes displace the surface; spheroidal
+modes of degree 0 are radial. x = k a and y = h a are the radius a times the wave numbers of shear
+and compression at the frequency of the mode. y/x = c_t/c_l depends only on Poisson's ratio.
 
 Sources: Lamb 1882 (Proc. Lond. Math. Soc. s1-13:189); Love, Mathematical Theory of Elasticity
 (1927), ch. XII.
@@ -123,8 +123,9 @@ def radial(poissons_ratio: float, y: float) -> float:
 def toroidal_roots(degree: int, count: int) -> np.ndarray:
     """Return the wave numbers k a of the first toroidal modes, (count,).
 
-    x j_n'/j_n decreases from n at x = 0, and from +inf to -inf between zeros of j_n. It therefore
-    equals 1 once before each zero. For n = 1, the first root is x = 0, the rotation of the sphere.
+    x j_n'/j_n decreases from n at x = 0, and from +inf to -inf between zeros of j_n. This quotient
+    therefore equals 1 once before each zero. For n = 1, the first root is x = 0, the rotation of
+    the sphere.
     """
     zeros = bessel_zeros(degree, count + 1)
     edges = zeros if degree == 1 else np.concatenate([[1e-3 * degree], zeros[:-1]])
@@ -134,8 +135,8 @@ def toroidal_roots(degree: int, count: int) -> np.ndarray:
 def radial_roots(poissons_ratio: float, count: int) -> np.ndarray:
     """Return the wave numbers h a of the first radial modes, (count,).
 
-    y j_0/j_1 decreases from 3 at y = 0, and from +inf to -inf between zeros of j_1. It therefore
-    equals 4 (c_t/c_l)^2 < 3 once before each zero.
+    y j_0/j_1 decreases from 3 at y = 0, and from +inf to -inf between zeros of j_1. This quotient
+    therefore equals 4 (c_t/c_l)^2 < 3 once before each zero.
     """
     edges = np.concatenate([[1e-6], bessel_zeros(1, count)])
     return roots_between(lambda y: radial(poissons_ratio, y), edges)

@@ -3,7 +3,8 @@
 
 The motion is in one plane. The first body moves along -x and touches the second body or a rigid
 plane. The axis y is along the surface. The surface speed is the relative velocity of the two
-surfaces at the contact along y. It is positive if the first body's surface moves faster along +y.
+surfaces at the contact along y. The surface speed is positive if the surface of the first body
+moves faster along +y.
 """
 
 from __future__ import annotations
@@ -129,7 +130,7 @@ class ObliqueImpact:
 
         The spring has Mindlin's stiffness without slip, k_t = 8 G* a. The contact slides when the
         tangential force reaches mu F, where F includes the force of the normal dashpot. There is no
-        tangential dashpot. This is the model of LIGGGHTS' `tangential history` with
+        tangential dashpot. LIGGGHTS has the same model: `tangential history` with
         `tangential_damping off`. The partial slip of Maw, Barber & Fawcett (1976, Wear 38:101) is
         not included. The lever arms reach to the middle of the overlap: R - overlap/2.
 

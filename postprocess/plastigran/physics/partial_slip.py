@@ -90,8 +90,9 @@ def partial_slip(impact: ObliqueImpact, steps: int = STEPS) -> Motion:
     """Return the motion after an oblique impact of elastic bodies with partial slip.
 
     The normal motion, including the dashpot, is as in `ObliqueImpact.spring_slider`. The friction
-    limit is mu times the elastic pressure, without the dashpot. This changes the impulse of
-    friction only in second order of the damping. The lever arm of friction is the radius.
+    limit is mu times the elastic pressure, without the dashpot. Omission of the dashpot changes the
+    impulse of friction only in second order of the damping. The lever arm of friction is the
+    radius.
 
     Args:
         impact: Impact of one sphere on a plane.

@@ -17,8 +17,8 @@ from plastigran.declared import number, radius_field
 
 GRAVITATIONAL_ACCELERATION = 9.81  # standard gravity [m/s^2]
 
-#: Cemented tungsten carbide, whose Young's modulus is 600 to 650 GPa. It does not yield at the
-#: speeds of the testers.
+#: Cemented tungsten carbide, with a Young's modulus of 600 to 650 GPa. The carbide does not yield
+#: at the speeds of the testers.
 TUNGSTEN_CARBIDE = laws.Body(625e9, 0.22)
 
 
@@ -29,7 +29,8 @@ class ReboundTester:
     Attributes:
         ball: Material of the ball, which does not yield.
         sensor_height: Height at which the speeds are measured [m]; 0 to neglect gravity. In real
-            testers it is 1 mm, which lowers the HL of device D by 0.1 % at 800 and by 2.5 % at 300.
+            testers, the height is 1 mm, which lowers the HL of device D by 0.1 % at 800 and by 2.5
+            % at 300.
 
     Raises:
         ValueError: A number is out of range.

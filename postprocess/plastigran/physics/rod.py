@@ -88,8 +88,9 @@ class Rod:
     def angular_velocity(self, impulse: float) -> float:
         """Return the angular velocity after a normal impulse [N s], in rad/s.
 
-        If the tip slides throughout, it is -(x_c - mu y_c)/I times the impulse. The impulse is
-        m_eff v (1 + e), or the rod's mass times the change of the velocity of its center along y.
+        If the tip slides throughout, the result is -(x_c - mu y_c)/I times the impulse. The impulse
+        is m_eff v (1 + e), or the rod's mass times the change of the velocity of its center along
+        y.
         """
         x_c, y_c = self.arm
         return -(x_c - self.coefficient_of_friction * y_c) / self.inertia * impulse

@@ -128,8 +128,8 @@ def simulate(rod: Rod, law, speed: float, shear_modulus_eff: float | None = None
     is along y and the friction F_f along x. With the vector r = (-x_c, -y_c) from the center to the
     contact, they are m x'' = F_f, m y'' = F_n - m g, I turn'' = r_x F_n - r_y F_f.
 
-    Without a spring, friction is Coulomb's, as in the paper. It is mu F_n against the slip of a
-    sliding tip. A tip without slip stays at rest if friction can hold it. Slip below
+    Without a spring, friction is Coulomb's, as in the paper. The friction on a sliding tip is mu
+    F_n against the slip. A tip without slip stays at rest if friction can hold it. Slip below
     `STICKING_SLIP` times the impact speed counts as rest.
 
     With a spring, friction is LIGGGHTS' `tangential history`. The spring has the stiffness 8 G* a,

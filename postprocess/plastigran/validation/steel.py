@@ -24,8 +24,8 @@ YOUNGS_MODULUS, POISSONS_RATIO = 206e9, 0.3
 #: Range of HLD in which the restitution has 5 % uncertainty. For softer steel, it is 8 to 10 %.
 TRUSTED = (450, 890)
 #: Single measurements with other devices: device, HL, HV. The second sample has 70 HRC, which the
-#: table of ASTM E140 does not contain. Its hardness is taken as 1015 to 1080 HV, which gives an
-#: uncertainty of 2.5 % in restitution.
+#: table of ASTM E140 does not contain. The hardness of this sample is taken as 1015 to 1080 HV,
+#: which gives an uncertainty of 2.5 % in restitution.
 SINGLE_READINGS = (("G", 750, 675.0), ("C", 960, 1050.0))
 #: Approximate crater diameters of device D [m] by HV.
 CRATERS = {300.0: 0.54e-3, 800.0: 0.35e-3}

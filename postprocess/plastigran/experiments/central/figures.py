@@ -32,8 +32,8 @@ HOSTS = {"liggghts": "LIGGGHTS", "lammps": "LAMMPS"}
 def restitution_figure(runs: Runs) -> Figure:
     """Draw restitution versus impact speed: points of LIGGGHTS or LAMMPS, and lines of theory.
 
-    In a study by theory alone, the points are theory too. If all impacts are those of the sphere of
-    Zhang and Vu-Quoc (2002), the figure also shows the results of their finite elements.
+    In a study by theory alone, the points are theory, too. If all impacts are impacts of the sphere
+    of Zhang and Vu-Quoc (2002), the figure also shows their finite-element results.
     """
     materials = materials_of(runs.cases)
     panel = measured_panels(runs.table, materials, [RESTITUTION], "speed")[RESTITUTION]
@@ -133,7 +133,7 @@ def _grid(count: int, alike: bool) -> tuple[Figure, np.ndarray]:
 
 
 def _label_edges(axes: np.ndarray, count: int, alike: bool) -> None:
-    """Label only the outer axes; show a legend if it differs from that of the previous panel."""
+    """Label only the outer axes; show a legend unless the previous panel has the same legend."""
     columns = axes.shape[1]
     previous_labels = None
     for k, place in enumerate(axes.flat):

@@ -26,7 +26,7 @@ def variables(case: CentralImpact, timestep: float | None = None) -> dict[str, o
 
     Args:
         case: Impact of spheres.
-        timestep: Time step [s]; by default the recommended one.
+        timestep: Time step [s]; by default the recommended time step.
     """
     given = case.variables()
     law = law_class(case.law, adhesive=case.surface_energy is not None)

@@ -46,8 +46,8 @@ class PlaneTouch(Touch):
     """Contact state with a plane.
 
     Attributes:
-        radii: Distances of the Gauss points from the axis (n_points,), m; in small strain, those of
-            the undeformed body.
+        radii: Distances of the Gauss points from the axis (n_points,), m; in small strain,
+            distances in the undeformed body.
         widening: Deformed / undeformed area of each edge (n_edges,); 1 in small strain.
     """
 

@@ -77,7 +77,7 @@ class TabulatedHardening(Hardening):
 class RateFactor:
     """Rate factor of Johnson and Cook (1983).
 
-    It is 1 + C ln(rate / reference) above the reference rate, and 1 below.
+    The factor is 1 + C ln(rate / reference) above the reference rate, and 1 below this rate.
     """
 
     coefficient: float = number("C of Johnson and Cook", "-", 0, lower_allowed=True)

@@ -10,7 +10,7 @@ from plastigran.fem.material.elastic_plastic import ElasticPlastic
 from plastigran.fem.result_file import numbers
 from plastigran.fem.stepping.snapshot import Snapshot
 
-# Forces whose relative difference is below this value count as equal. It exceeds the error of
+# Forces with a relative difference below this value count as equal. The value exceeds the error of
 # Newton's method.
 ROUNDING = 1e-6
 
@@ -66,8 +66,8 @@ class Throw:
             (of the center of mass, upward), nodal_velocity m/s (mean of the corner nodes, upward),
             contact_radius m, energies J.
         coefficient_of_restitution: Momentum after the impact / momentum before the impact.
-        nodal_restitution: Restitution from the mean velocity of all corner nodes at the end. It
-            includes the vibration of the sphere, mostly of the finely meshed part.
+        nodal_restitution: Restitution from the mean velocity of all corner nodes at the end. This
+            value includes the vibration of the sphere, mostly of the finely meshed part.
         force_max: Largest force, N.
         overlap_max: Largest approach, m.
         overlap_res: Approach at the end of contact, m.

@@ -67,7 +67,7 @@ class Vibration:
 
     @property
     def flight(self) -> pd.DataFrame:
-        """Rows of the history after the last one with a force."""
+        """Rows of the history after the last row with a contact force."""
         last = np.flatnonzero(self.history["force"])[-1]
         return self.history.iloc[last + 1 :]
 

@@ -49,7 +49,7 @@ class HertzLine:
     def yield_force(self) -> float:
         """Force at which the body yields below its surface, N.
 
-        It is infinite if the body is elastic (has no hardening law).
+        The force is infinite if the body is elastic (has no hardening law).
 
         At depth z half widths, the stresses on the axis divided by the largest pressure are
         -(1 + 2 z^2)/r + 2 z along the surface and -1/r across it, r = sqrt(1 + z^2).

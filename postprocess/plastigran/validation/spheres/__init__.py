@@ -3,8 +3,8 @@
 
 `table()` reads `plastigran/data/finite_elements_spheres.csv`. The file has a row for each metal and
 largest force; `python -m plastigran.validation.spheres.compute` writes it. All quantities are
-dimensionless. "In yield units" means divided by the Hertzian value at first yield. These values are
-force P_Y, overlap alpha_Y = a_Y^2/R, contact radius a_Y and work P_Y alpha_Y. The speed v_Y follows
+dimensionless. "In yield units" means divided by the Hertzian value at first yield: the force P_Y,
+the overlap alpha_Y = a_Y^2/R, the contact radius a_Y or the work P_Y alpha_Y. The speed v_Y follows
 from 1/2 m v_Y^2 = 2/5 P_Y alpha_Y.
 
     metal                        name, the same for all rows of a metal

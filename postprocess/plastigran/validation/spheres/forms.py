@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Equations of the law `universal` in yield units, with constants that the fit varies.
 
-The equations are those of `contact_models/plastigran/laws/universal.h`. docs/laws/universal.md
-explains them.
+`contact_models/plastigran/laws/universal.h` has the same equations. docs/laws/universal.md explains
+the equations.
 """
 
 from __future__ import annotations

@@ -105,8 +105,8 @@ class SphereMetal:
         return forces[allowed & (np.array(FORCE_RATIOS) <= self.force_ratio_max)]
 
 
-#: The held-out metals were chosen before any fit: their strengths, Poisson's ratios and hardening
-#: slopes lie between those of the fit.
+#: The held-out metals were chosen before any fit. Their strengths, Poisson's ratios and hardening
+#: slopes lie between the values of the metals in the fit.
 _METALS = (
     SphereMetal(1.2e-3),
     SphereMetal(8e-4, 0.35, held=True),
