@@ -83,9 +83,9 @@ def restarts(folder: Path, count: int) -> Iterator[Row]:
             whole = whole[whole["step"] >= before].drop_duplicates(["step", "id"])
             if whole["fx"].iloc[0] == 0:
                 continue  # the bodies separated before the restart
-            # The first forces of a run use the current velocities; later forces use the velocities
-            # of half a step earlier. Friction may therefore differ by round-off in the first step,
-            # but the motion afterwards does not differ.
+            # In the first step of a run, forces use the current velocities. In later steps, forces
+            # use the velocities of half a step earlier. Friction may therefore differ by round-off
+            # in the first step after a restart, but the later motion does not differ.
             whole = whole[whole["step"] > before]
             case["restart"] = folder / "whole" / "middle.restart"
             run_deck(decks / "restart_read.in", case, folder / "rest")
@@ -112,7 +112,7 @@ def ranks(folder: Path, _: int) -> Iterator[Row]:
     one = runs.pop(1)
     for count, other in runs.items():
         ratio = (other["kinetic_energy"] / one["kinetic_energy"] - 1).abs()
-        # Round-off grows tenfold per impact, to 1e-10 after six impacts.
+        # Compare early rows only: round-off grows tenfold per impact, to 1e-10 after six impacts.
         early = one["collisions"] < 1
         yield Row(
             f"{count} ranks compared with one, up to one collision per grain: relative difference "

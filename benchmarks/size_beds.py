@@ -19,7 +19,7 @@ WORK = PROJECT / "build" / "bench" / "size"
 RESULTS = PROJECT / "results" / "bench"
 #: Numbers of copies of the base bed along x and y, by the number of grains.
 WIDTHS = {12_500: (1, 1), 25_000: (2, 1), 50_000: (2, 2), 200_000: (4, 4), 1_000_000: (8, 10)}
-#: Rows of LIGGGHTS' table of times.
+#: Names of the rows in the table of times that LIGGGHTS prints after a run.
 SECTIONS = ("Pair", "Neigh", "Comm", "Outpt", "Other")
 
 
@@ -106,7 +106,7 @@ def widen(settled: Path, along_x: int, along_y: int, first: int = 1, along_z: in
     bounds = re.findall(r"^(\S+) (\S+) [xyz]lo [xyz]hi$", text, re.MULTILINE)
     low, high = np.array(bounds, float).T
     rows = text.partition("Atoms\n\n")[2].partition("\n\n")[0].splitlines()
-    one = np.array([row.split()[:7] for row in rows], float)  # number type diameter density x y z
+    one = np.array([row.split()[:7] for row in rows], float)  # ID type diameter density x y z
     one[:, 0] = np.argsort(np.argsort(one[:, 0])) + first
     copies = np.array(list(np.ndindex(sides)))
     all_of_them = np.tile(one, (len(copies), 1))

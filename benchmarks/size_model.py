@@ -33,8 +33,8 @@ COPY_BYTES = 72
 #: a last-level cache of 1 MiB in cachegrind, times 64 bytes. The values of `hertz`, `thornton` and
 #: `universal` agree within 1 %.
 TRAFFIC_BYTES = 970
-#: Bytes of `atom_modify map array` per grain of the whole bed, on every rank; bytes of a checkpoint
-#: per grain.
+#: Bytes of the table `atom_modify map array` on every rank, per grain of the whole bed; and bytes
+#: of a checkpoint per grain.
 MAP_BYTES, CHECKPOINT_BYTES = 4, 415
 
 

@@ -74,7 +74,7 @@ def judge(seed: int, folder: Path) -> Verdict:
             logs.append(folder / f"log_{number}")
             (folder / LOG).rename(logs[-1])
         return Verdict(*head, *compare(scene, folder, logs))
-    except Exception as error:  # continue with other scenes; an error of the replay counts, too
+    except Exception as error:  # record any error, also of the replay, and continue
         return Verdict(*head, error=f"{type(error).__name__}: {error}")
 
 

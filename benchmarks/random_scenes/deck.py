@@ -16,7 +16,8 @@ from plastigran.laws import hertz_yield_pressure_factor
 
 #: Particles whose distance from a random place is below this radius are deleted [m].
 NEAR = 0.13
-_VARIABLES = ("variable inputs index inputs", "variable output index .")  # as in every deck
+# Variables that Plastigran sets in every deck.
+_VARIABLES = ("variable inputs index inputs", "variable output index .")
 MESH_CELLS = 3  # number of cells of the meshed wall along each side
 
 

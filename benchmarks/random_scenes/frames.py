@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-#: Columns of the dumps.
+#: Columns of the dumps of a scene, in order.
 COLUMNS = "id type radius mass x y z vx vy vz fx fy fz"
 
 

@@ -86,7 +86,7 @@ def random_scene(seed: int) -> Scene:
     while _deepest(between, densities.max(), radius, 2 * speed) > DEEPEST * radius.min():
         speed /= 2
     timestep = _timestep(between, radius.min(), 2 * speed)
-    gap = 30 * speed * timestep  # gap that closes within some 30 steps
+    gap = 30 * speed * timestep  # a gap of this size closes in about 30 steps
     positions = _cluster(random, radius, gap)
     inward = positions.mean(axis=0) - positions
     inward /= np.linalg.norm(inward, axis=1, keepdims=True)

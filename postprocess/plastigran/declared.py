@@ -209,6 +209,6 @@ def _check_range(name: str, value: float, declaration: Declaration) -> None:
             f"{declaration.usual[0]:g} and {declaration.usual[1]:g} m. Check the unit: radii are "
             "in m, not mm",
             SizeWarning,
-            # Name this line as the origin, because Python shows equal warnings of a line once.
+            # Report this line as the origin of the warning. Python then shows equal warnings once.
             stacklevel=1,
         )

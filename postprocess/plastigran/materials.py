@@ -188,7 +188,7 @@ def _needed(law: str) -> list[str]:
 
 def folder() -> Path:
     """Return the folder with the material files that can be read by name."""
-    with suppress(EngineError):  # $PLASTIGRAN_INPUTS may be wrong; use the project's folder then
+    with suppress(EngineError):  # if $PLASTIGRAN_INPUTS is wrong, use the project's folder
         named = inputs_folder() / "materials"
         if named.is_dir():
             return named

@@ -8,7 +8,7 @@ from typing import Any
 
 from tqdm import tqdm
 
-#: Time before the first progress line, and between lines, if there is no terminal [s].
+#: Without a terminal, time before the first progress line, and time between lines [s].
 FIRST, EVERY = 5.0, 10.0
 
 
@@ -49,7 +49,7 @@ class ProgressBar(tqdm):
     def close(self) -> None:
         """Close the bar, which stays visible; without a terminal, print the final state."""
         if not (self.disable or self._in_place):
-            self.leave = False  # do not add a line feed: each printed line ends with one
+            self.leave = False  # add no line feed, because each printed line ends with a line feed
             if self.last_print_t >= self.start_t + self.delay and self.n > self.last_print_n:
                 self.display()
         super().close()

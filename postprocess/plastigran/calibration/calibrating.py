@@ -29,7 +29,7 @@ from plastigran.materials import RIGID, Material
 from plastigran.usable_laws import laws_for
 
 FEM_RADIUS = 0.1  # radius of the finite-element sphere [m]
-SPHERE_RADIUS = 1e-2  # radius of a sphere on a rigid plane [m]; restitution does not depend on it
+SPHERE_RADIUS = 1e-2  # radius of a sphere [m], which does not affect the restitution
 BOUNDS = {
     "youngs_modulus": Declaration("", "Pa", 1e6, 2e12),
     "density": Declaration("", "kg/m^3", 10, 3e4),

@@ -27,7 +27,7 @@ IMPACT = {
     "drop_height": Declaration("height of the fall", "m", 1e-6, 10),
 }
 REBOUND = {
-    # The range excludes its end, so the end is slightly above 1.
+    # The upper bound is slightly above 1, because a value must be below the bound.
     "restitution": Declaration("coefficient of restitution", "-", 0, 1.000001),
     "rebound_speed": Declaration("speed after the impact", "m/s", 0, 1000),
     "rebound_height": Declaration("height after the impact", "m", 0, 10),
@@ -109,7 +109,7 @@ def read_drop_test(path: str | Path) -> pd.DataFrame:
     """
     path = Path(path)
     try:
-        # Read without header, because pandas then rejects a line with more fields than the first.
+        # Read without a header: pandas then rejects a line with more fields than the first line.
         lines = pd.read_csv(
             path, sep=r"\s*[,;]\s*|\s+", comment="#", engine="python", header=None, dtype=str
         )

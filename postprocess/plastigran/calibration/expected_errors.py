@@ -11,7 +11,7 @@ import pandas as pd
 
 #: Law that `calibrate` uses by default.
 DEFAULT_LAW = "universal"
-#: Smallest contact radius / sphere radius of the kind "large a/R".
+#: Smallest contact radius / sphere radius of contacts of the kind "large a/R".
 WIDE = 0.05
 #: Kinds of contacts in the table of errors.
 KINDS = ("perfectly plastic", "hardening", "large a/R")

@@ -28,7 +28,7 @@ from plastigran.declared import Declaration, read_number
 CONSTRAINT_FACTOR = 2.8  # mean pressure of an indentation / flow stress
 CONSTRAINT_SCATTER = 0.07  # relative 95 % half-width of the factor: 2.6 to 3.0
 INDENTATION_STRAIN = 0.08  # strain at which a metal has the flow stress of an indentation
-READING_SCATTER = 0.03  # permissible relative error of a tester, ISO 6507-2
+READING_SCATTER = 0.03  # permissible relative error of a hardness tester, ISO 6507-2
 
 #: Rockwell C and Vickers hardness of steel, ASTM E140-12b, table 1.
 ROCKWELL_C = np.arange(20, 70, 2.0)
@@ -65,7 +65,8 @@ def _rockwell_c_to_vickers(value: float) -> float:
 
 SCALES = {
     "HV": HardnessScale(_numbers("HV", 5, 2000), float),
-    # ISO 18265, table A.1; ASTM E140 has HB = HV below 240 and agrees within 1.5 % above.
+    # ISO 18265, table A.1. In ASTM E140, HB equals HV below 240; above 240, both standards agree
+    # within 1.5 %.
     "HB": HardnessScale(
         _numbers("HB", 76, 618), lambda value: value / 0.95, 0.05, "HB = 0.95 HV, ISO 18265"
     ),

@@ -14,7 +14,7 @@ from plastigran.calibration.finite_elements import PressedSphere
 from plastigran.engine.deck import property_name
 from plastigran.materials import Material
 
-#: Constants of `vu_quoc_zhang` that finite elements determine.
+#: Constants of the law `vu_quoc_zhang` that are fitted to finite elements.
 FITTED = ("contact_radius_coefficient", "curvature_coefficient")
 #: Constants of a body that a deck contains only if they are not zero.
 OPTIONAL = ("tangent_modulus", "rate_coefficient")

@@ -30,11 +30,11 @@ POWERS = {
     "youngs_modulus": 1.0,
     "yield_strength": 0.8,
     "tangent_modulus": 1.0,  # strain scales as a/R, s^(-1/5), so hardening scales as s^(4/5)
-    "dissipative_constant": -0.4,  # a time, which scales like the contact duration
+    "dissipative_constant": -0.4,  # a time, which scales as the contact duration
 }
 #: Power of s by which durations, overlaps and time steps are multiplied.
 TIME_POWER = -0.4
-#: Largest overlap / radius of grains that count as hard: 1 % of the diameter.
+#: Largest overlap / radius at which a grain counts as hard (1 % of the diameter).
 SOUND_OVERLAP = 0.02
 #: Speeds / yield speed at which laws are compared.
 SPEED_RATIOS = np.geomspace(1, 1000, 61)

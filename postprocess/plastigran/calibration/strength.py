@@ -35,12 +35,14 @@ DENTED_FLAT_NOTE = (
     "docs/validation_steel.md"
 )
 DROP_SCATTER = 0.02  # default standard deviation of one restitution
-# relative standard deviation of a Leeb restitution; conversions are within 4.5 % (95 %)
+# Relative standard deviation of the restitution from a Leeb reading. The 95 % half-width of
+# conversions between hardness scales is 4.5 %.
 LEEB_SCATTER = 0.045 / 1.96
 TREND_SIGNIFICANCE = 0.01  # significance level of a trend with speed
 LEEB_RANGE = Declaration("rebound hardness", "HL", 100, 1000, True, True)
 STEEL = Declaration("Young's modulus of steel", "Pa", 1.9e11, 2.2e11)
-# Steel 4340, strength at 1/s: Johnson & Cook, 7th Int. Symp. Ballistics 1983.
+# Rate coefficient C of steel 4340 for a yield strength at 1/s: Johnson & Cook, 7th Int. Symp.
+# Ballistics 1983.
 STEEL_RATE_COEFFICIENT = 0.014
 
 

@@ -31,11 +31,11 @@ from plastigran.materials import (
 )
 from plastigran.physics.adhesion import jkr_surface_energy, sticking_speed
 
-#: Default law.
+#: Law that `calibrate_adhesion` uses by default.
 DEFAULT_LAW = "jkr"
 #: Smallest surface energy of the search [J/m^2].
 LEAST = 1e-9
-#: Distance between atoms [m]; jkr is valid if the elastic stretching is much larger.
+#: Distance between atoms [m]. `jkr` is valid if the elastic stretching is much larger.
 ATOMS = 3e-10
 
 _FORCE = Declaration("pull-off force", "N", 0)

@@ -23,7 +23,7 @@ SIGNAL_FILE = "restart_forced_liggghts"
 CHECKSUM = ".sha256"
 #: First and last bytes of a restart file of LAMMPS.
 _LAMMPS = b"LammpS RestartT\0"
-#: Number of values read from a file at a time.
+#: Number of four-byte values of a file that are examined at a time.
 _BLOCK = 1 << 20
 
 

@@ -15,7 +15,7 @@ import pandas as pd
 
 from plastigran.engine.dumps import DumpError, TruncatedFileWarning
 
-#: Upper bound of steps, 2^63.
+#: Upper bound of step numbers, because tables store steps as 64-bit integers.
 LARGEST_STEP = 2.0**63
 #: Names of the log in the folder of a run, by host.
 LOGS = {"liggghts": "log.liggghts", "lammps": "log.lammps"}
@@ -39,7 +39,7 @@ _WARNING = re.compile(r"^WARNING: (?:\S+/)?plastigran: (.*?)(?: \(\S+:\d+\))?$",
 #: Line in which a contact model of this project prints the name of its law before the first run.
 _LAW = re.compile(r"^plastigran law (\w+)$", re.M)
 #: Echoed pair_style command. LIGGGHTS echoes a command first as typed, then with the values of
-#: variables; only the latter matches.
+#: variables; only the second form matches.
 _PAIR_STYLE = re.compile(r"^pair_style\s+([^$\n]+)$", re.M)
 _UNITS = re.compile(r"^units\s+(\w+)\s*$", re.M)
 #: Line at the end of a run for each law whose validity range was exceeded.

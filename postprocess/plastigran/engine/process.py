@@ -296,7 +296,7 @@ def _stop(process: subprocess.Popen, folder: Path) -> None:
         process.wait(GRACE)
     except subprocess.TimeoutExpired:
         pass
-    finally:  # kill also after a second Ctrl-C
+    finally:  # also kill the ranks if a second Ctrl-C interrupts the wait
         if process.poll() is None:
             for number in engines(folder):
                 with suppress(ProcessLookupError):

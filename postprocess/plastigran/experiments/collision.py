@@ -248,7 +248,7 @@ def _end_of_bent_power(overlap, force) -> tuple[float, Callable]:
 def _turning_point(time, value, rate, k: int) -> tuple[float, float]:
     """Return time and value of the maximum of the cubic through frames k and k+1."""
     step = time[k + 1] - time[k]
-    fraction = rate[k] / (rate[k] - rate[k + 1])  # where the linearly interpolated rate is zero
+    fraction = rate[k] / (rate[k] - rate[k + 1])  # the linearly interpolated rate is zero here
     h = np.polynomial.Polynomial
     t = h([0, 1])
     cubic = (

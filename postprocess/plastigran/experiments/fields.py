@@ -90,7 +90,7 @@ def law_options(law: str, text: str | None) -> dict[str, str]:
     choices = {option["name"]: option["choices"] for option in laws.LAWS[law].options()}
     for name, choice in chosen.items():
         if name not in choices:
-            if name == "adhesion":  # an option of a deck's pair_style line only
+            if name == "adhesion":  # only the pair_style line of a deck has this option
                 raise ValueError("adhesion is not an option here. Give --surface-energy instead")
             raise ValueError(
                 f"{law} has no option {name!r}. Available options: {', '.join(choices) or 'none'}"

@@ -174,7 +174,7 @@ def claim(folder: Path, force: bool) -> Iterator[None]:
             )
         for name in (TABLE, STUDY):
             (folder / name).unlink(missing_ok=True)
-        for run in folder.glob("runs/[0-9]*_*"):  # names of folders by `case_folders`
+        for run in folder.glob("runs/[0-9]*_*"):  # folders with names by `case_folders`
             shutil.rmtree(run)
         yield
 

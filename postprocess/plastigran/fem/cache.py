@@ -23,7 +23,7 @@ from plastigran.fem.settings import Settings
 
 Result = TypeVar("Result")
 DIGEST = 32  # number of bytes of the checksum at the start of a file
-# Libraries whose versions affect results (pandas: the file format).
+# Libraries whose versions affect the results; pandas affects the file format.
 LIBRARIES = ("numpy", "scipy", "scikit-fem", "pandas")
 
 

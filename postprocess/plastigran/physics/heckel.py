@@ -12,8 +12,8 @@ from scipy.stats import linregress
 #: Fraction of the peak pressure at which contact with the bed begins and ends. At lower pressures,
 #: the punch touches only single grains that protrude from the bed.
 TOUCH = 0.01
-#: Fractions of the peak pressure between which Heckel's line is fitted. Rearrangement of the grains
-#: has ended there.
+#: Fractions of the peak pressure between which Heckel's line is fitted. At these pressures, the
+#: rearrangement of the grains has ended.
 STRAIGHT = (0.3, 0.9)
 
 

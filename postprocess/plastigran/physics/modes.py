@@ -155,7 +155,7 @@ def surface(degree: int, poissons_ratio: float, x: float) -> tuple[np.ndarray, n
     """
     square = degree * (degree + 1)
     arguments = np.array([x * wave_speed_ratio(poissons_ratio), x])
-    # Call the function once for both orders, because it is slow.
+    # Compute both orders in one call, because calls of spherical_jn are slow.
     below, (p, s) = spherical_jn([[degree - 1], [degree]], arguments)
     # x j_n'(x) = x j_(n-1)(x) - (n + 1) j_n(x)
     p_slope, s_slope = arguments * below - (degree + 1) * np.array([p, s])

@@ -161,7 +161,7 @@ class _SpringSlider:
         self.stiffness = 1 / impact.stretch_ratio
         self.flat = np.array([overlap / impact.radius, overlap / impact.radius_other])
         self.share = np.array([impact.mass_eff / impact.mass, impact.mass_eff / impact.mass_other])
-        # 0 for a sticking contact; for a sliding contact, the sign of the spring's stretch.
+        # `sense` is 0 for a sticking contact, and the sign of the stretch for a sliding contact.
         self.sense = 0
 
     def normal_force(self, overlap: float, rate: float) -> float:
@@ -233,7 +233,7 @@ class _SpringSlider:
             if part.status != 1:
                 break
             if self.sense:
-                # Start slightly below the limit; otherwise round-off could end sticking at once.
+                # Start slightly below the friction limit; otherwise round-off could end sticking.
                 state[5] = self.sense * self.reach(state[0], state[1]) * (1 - 1e-9)
                 self.sense = 0
             else:

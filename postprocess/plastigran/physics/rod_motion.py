@@ -14,8 +14,8 @@ from plastigran.physics.rod import Rod, RodOutcome
 #: Fraction of the impact speed below which the slip of the tip counts as zero.
 STICKING_SLIP = 1e-3
 
-#: Rate at which a friction spring relaxes to the limit of friction, times largest overlap / impact
-#: speed.
+#: Rate at which a friction spring relaxes to the friction limit, in units of impact speed / largest
+#: overlap.
 YIELDING_RATE = 1e3
 
 #: Number of extremes of the overlap after which the tip is assumed to stay in contact.

@@ -12,7 +12,7 @@ from plastigran.calibration.expected_errors import KINDS
 from plastigran.validation.laws_on_spheres import FITTED_LAW, ON_FITTED_METALS
 from plastigran.validation.tables import root_mean_square
 
-#: Regimes of the spheres: name, kind of contact, bounds of v/v_Y.
+#: Regimes of spheres by name: kind of contact, bounds of impact speed / yield speed.
 SPHERE_REGIMES = {
     "just beyond yield, v/v_Y 1–10": (KINDS[0], 1, 10),
     "v/v_Y 10–100": (KINDS[0], 10, 100),
@@ -22,7 +22,7 @@ SPHERE_REGIMES = {
     "hardening, beyond v/v_Y 300": (KINDS[1], 300, np.inf),
     "large a/R, 0.05–0.15": (KINDS[2], 1, np.inf),
 }
-#: Regimes of the rebound hardness of steel: bounds of v/v_Y.
+#: Regimes of the rebound hardness of steel by name: bounds of impact speed / yield speed.
 INDENTATION = {
     "a hard ball on a steel flat, v/v_Y 10–300": (10, 300),
     "peening: v/v_Y 1000 and more": (1000, np.inf),

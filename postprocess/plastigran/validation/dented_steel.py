@@ -45,7 +45,7 @@ HARDNESSES = (211, 304, 550, 940)
 #: Largest forces of the compressions, divided by the force of a rigid ball at constant pressure H.
 #: The results for the impact are interpolated between these compressions.
 SHARES = (0.65, 0.85, 1.1)
-#: Settings of the mesh; a finer mesh increases restitution by 0.4 % at 550 HV.
+#: Settings of the finite elements. A finer mesh increases restitution by 0.4 % at 550 HV.
 SETTINGS = Settings(divisions=4, fineness=0.7, growth=1.08, unloading_steps=10)
 
 
@@ -70,7 +70,8 @@ def computation(hardness: float) -> Callable[[], Pressing]:
         poissons_ratio=POISSONS_RATIO,
         hardening=LinearHardening(strength),
     )
-    # The force F = pi a^2 H does the work F^2/(4 pi R H) along the depth a^2/2R.
+    # `guess` is the force at which the work F^2/(4 pi R H) of a rigid ball equals the impact
+    # energy. The force is F = pi a^2 H at the depth a^2/2R.
     pressure = float(indentation_pressure(hardness))
     guess = 2 * sqrt(pi * tester.ball_radius * pressure * _energy(tester))
     forces = tuple(share * guess for share in SHARES)

@@ -15,7 +15,7 @@ from plastigran.validation import oblique
 
 #: Number of columns of panels.
 COLUMNS = 5
-#: Largest error that a panel shows [%]. Larger errors are drawn at its edge.
+#: Largest error that a panel shows [%]. Larger errors are drawn at the edge of the panel.
 REACH = 40
 #: Incident angles of the theoretical curves [degrees].
 FINE_ANGLES = np.linspace(1, 86, 52)

@@ -14,7 +14,7 @@ from plastigran.validation.spheres import SPEED_RATIOS, contact_kinds, table
 from plastigran.validation.spheres.metals import RADIUS, SphereMetal
 from plastigran.validation.tables import root_mean_square
 
-#: Bounds of the speed regimes, v/v_Y.
+#: Bounds of the speed regimes, impact speed / yield speed.
 REGIMES = (*SPEED_RATIOS, 1000)
 #: Law that was fitted to some of the metals, and the name of its rows for these metals.
 FITTED_LAW, ON_FITTED_METALS = "universal", "universal, metals of its fit"

@@ -127,7 +127,7 @@ def _as_restitution(part: pd.DataFrame, name: str) -> pd.Series:
         arms = [0.4 * impact(a).radius / impact(a).before.along for a in angles]
         return -(part["value"] - part[PARTIAL_SLIP]) * arms
     measured, slip = (np.tan(np.radians(part[column])) for column in ("value", PARTIAL_SLIP))
-    # Near the normal, the rebound angle does not determine the restitution.
+    # At incident angles up to 1 degree, the rebound angle does not determine the restitution.
     ratios = [impact(a).restitution() / np.tan(radians(a)) if a > 1 else np.nan for a in angles]
     return (measured - slip) * ratios
 

@@ -21,13 +21,14 @@ from plastigran.validation.tables import nearest_first, root_mean_square
 
 #: Elastic constants of steel.
 YOUNGS_MODULUS, POISSONS_RATIO = 206e9, 0.3
-#: Range of HLD in which the restitution has 5 % uncertainty. For softer steel, it is 8 to 10 %.
+#: Range of HLD in which the uncertainty of the restitution is 5 %. For softer steel, the
+#: uncertainty is 8 to 10 %.
 TRUSTED = (450, 890)
 #: Single measurements with other devices: device, HL, HV. The second sample has 70 HRC, which the
 #: table of ASTM E140 does not contain. The hardness of this sample is taken as 1015 to 1080 HV,
 #: which gives an uncertainty of 2.5 % in restitution.
 SINGLE_READINGS = (("G", 750, 675.0), ("C", 960, 1050.0))
-#: Approximate crater diameters of device D [m] by HV.
+#: Approximate crater diameters [m] of device D by Vickers hardness.
 CRATERS = {300.0: 0.54e-3, 800.0: 0.35e-3}
 #: Alumina spheres of 3 mm diameter on flats at 10 m/s: restitution by HV, from the abstract of a
 #: paper.

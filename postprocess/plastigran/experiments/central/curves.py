@@ -21,7 +21,7 @@ from plastigran.plot.style import title
 #: measured range at both ends.
 THEORY_POINTS = 120
 THEORY_MARGIN = 1.3
-#: Columns that distinguish curves of one law.
+#: Columns of the results table that may distinguish curves of one law.
 APART = (
     "material",
     "wall",
@@ -32,7 +32,7 @@ APART = (
     "angle",
     "coefficient_of_friction",
 )
-#: Range of the natural logarithm of values above which their axis is logarithmic.
+#: An axis is logarithmic if the natural logarithms of its values span more than this number.
 LOGARITHMIC = 3.0
 
 Groups = dict[tuple[str, str], pd.DataFrame]

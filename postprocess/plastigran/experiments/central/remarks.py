@@ -19,7 +19,7 @@ from plastigran.plot.style import title
 if TYPE_CHECKING:
     from plastigran.experiments.central import CentralImpact
 
-#: Smallest relative difference that is visible in the table.
+#: Smallest relative difference that is visible in the printed table with five digits.
 VISIBLE = 5e-5
 
 

@@ -69,7 +69,7 @@ def _contours(axes: Axes, table: pd.DataFrame, panel: Panel) -> None:
 
     speed, radius = np.unique(table["speed"]), np.unique(table["radius"]) * 1e6
     deep = field("overlap_max") / (radius[:, None] * 1e-6)
-    # Limit the values to the top level, 1 or 2.4, which round-off may exceed.
+    # Limit the values to the highest contour level, because round-off may exceed this level.
     value = np.minimum(field(panel.column) * panel.factor, panel.levels[-1] * (1 - 1e-9))
     shown = value[deep <= 1]
     edges = np.asarray(panel.levels)

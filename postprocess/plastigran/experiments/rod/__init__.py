@@ -63,7 +63,7 @@ class RodImpact(Experiment):
         ("pair", "yielding_body"),
         default="pair",
     )
-    # The default is (2/H_rod + 2/H_flat)^-1 for the Brinell hardnesses 327 and 105, as printed.
+    # The default is (2/H_rod + 2/H_flat)^-1 for the Brinell hardnesses in the paper, 327 and 105.
     indentation_pressure: float = number(
         "indentation pressure, for the laws that use it", "Pa", 0, default=3.8971e8
     )

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
-# Columns rr, yy, ry, yr of displacement gradients (rr, yy, tt, ry, yr)
+# Indices of the components in the plane, rr, yy, ry and yr, in gradients (rr, yy, tt, ry, yr).
 IN_PLANE = np.array([0, 1, 3, 4])
 SERIES_BELOW = 1e-2  # relative difference of two eigenvalues below which a series is used
 

@@ -18,7 +18,7 @@ from skfem import MeshQuad, MeshQuad2
 
 FINE_RATIO = 3.0  # ratio of the step in theta to the step in s for rings at the contact edge
 FINE_REACH = 1.3  # radius at which the fine rings end / largest contact radius
-GROWTH = 1.25  # ratio of consecutive ring distances outside the fine zone
+GROWTH = 1.25  # largest ratio of consecutive ring distances outside the fine zone
 
 
 @attrs.frozen(kw_only=True)

@@ -23,7 +23,8 @@ from plastigran.fem.stepping.snapshot import energies, snapshot
 from plastigran.fem.theory.hertz import HertzSphere
 from plastigran.progress import ProgressBar
 
-# Ratio of force increments below yield, where the response does not depend on the path.
+# Ratio of consecutive forces below yield. It may be large, because an elastic response does not
+# depend on the path.
 ELASTIC_GROWTH = 1.4
 # Largest first force / yield force. The first force is also at most a hundredth of `forces[0]`.
 FIRST_FORCE = 0.3

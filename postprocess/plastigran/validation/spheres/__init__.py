@@ -34,7 +34,8 @@ import pandas as pd
 
 from plastigran.calibration.expected_errors import KINDS, WIDE
 
-#: Lower bounds of the speed regimes, v/v_Y; the last regime ends at the largest speed of a table.
+#: Lower bounds of the speed regimes, impact speed / yield speed. The last regime ends at the
+#: largest speed of a table.
 SPEED_RATIOS = (1, 3, 10, 100, 300)
 TABLE = files("plastigran") / "data" / "finite_elements_spheres.csv"
 

@@ -21,15 +21,15 @@ from scipy.optimize import least_squares
 from plastigran.validation.spheres import SPEED_RATIOS, contact_kinds, table
 from plastigran.validation.spheres.forms import Constants, Metals, errors, peak
 
-#: Scales by which the fit divides the relative differences, close to the uncertainty of the finite
-#: elements.
+#: Scales by which the fit divides the relative differences. The scales are close to the uncertainty
+#: of the finite elements.
 FORCE, CONTACT_RADIUS, WORK_UNLOADING, RECOVERY = 0.002, 0.006, 0.004, 0.008
 #: Smallest force / yield force of the fit. At smaller forces, too few elements are in contact to
 #: determine the contact radius.
 SMALLEST_FORCE = 8.0
 DIGITS = 4
 
-#: Bounds of the speed regimes, v/v_Y, for which the largest errors are stated.
+#: Bounds of the speed regimes for which the largest errors are printed, impact speed / yield speed.
 REGIMES = (*SPEED_RATIOS, 1200)
 
 
