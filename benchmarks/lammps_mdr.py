@@ -8,7 +8,7 @@
 tests/verification/test_mdr.py compares the law `mdr` with this table. The script uses neither the
 plugin nor the Python package.
 
-The script moves a sphere on a plane, or two equal spheres, to a list of overlaps, and LAMMPS
+The script moves a sphere on a plane, or two equal spheres, to each overlap in a list. LAMMPS
 computes one step at each overlap. Three extensions of MDR in LAMMPS are switched off. Damping is
 zero, and the bulk response is off (psi_b 0). The radius does not grow with plastic flow: the script
 sets the initial radius to half the radius, which limits the growth. LAMMPS uses the first overlap

@@ -4,8 +4,8 @@
 
     .venv/bin/python benchmarks/random_calls.py --calls 10000000
 
-Contacts of random bodies and sizes follow random paths of overlaps. The bodies may be far apart,
-and overlaps may exceed the size of the bodies or be almost as small as the smallest floating-point
+Contacts of random bodies and sizes follow random paths of overlaps. The bodies may be far apart.
+Overlaps may exceed the size of the bodies, or be almost as small as the smallest floating-point
 numbers. All results must be finite, and no force, energy or contact radius may be negative. With
 the energy guard, the plastic work of a contact may neither decrease nor be negative. Below the
 largest overlap, no force may exceed the largest earlier force. A repeated call must return the same

@@ -4,12 +4,12 @@
 
     .venv/bin/python benchmarks/random_scenes --scenes 1000
 
-Each scene has a random sphere law with random options, one to three materials, and two to fourteen
-particles that approach each other. Each side of the box is periodic or a wall; one wall may be a
-mesh. A scene runs on one to four ranks, in up to four runs. Between runs, an event deletes, creates
-or displaces particles, resets the step, repeats the pair style, or restarts on other ranks. The
-replay computes the expected forces, elastic energy and plastic work only from the positions in the
-frames. A scene follows from its seed: `--seed 17 --scenes 1 --keep FOLDER` repeats scene 17.
+Each scene has a random law for spheres with random options, and one to three materials. Two to
+fourteen particles approach each other. Each side of the box is periodic or a wall; one wall may be
+a mesh. A scene runs on one to four ranks, in up to four runs. Between runs, an event deletes,
+creates or displaces particles, resets the step, repeats the pair style, or restarts on other ranks.
+The replay computes the expected forces, elastic energy and plastic work only from the positions in
+the frames. A scene follows from its seed: `--seed 17 --scenes 1 --keep FOLDER` repeats scene 17.
 """
 
 from __future__ import annotations

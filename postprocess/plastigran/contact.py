@@ -154,7 +154,7 @@ class Contact:
         For spheres, the yield overlap is R* (pi p_y/(2 E*))^2. The largest Hertzian pressure then
         equals the contact yield pressure p_y of the weaker body (Johnson, Contact Mechanics, 1985,
         sec. 6.1). For cylinders, the mean pressure at yield is 1.5 sigma_Y (Katta & Polycarpou
-        2010, J. Tribol. 132:041402). All laws for the same shape share this value, although the
+        2010, J. Tribol. 132:041402). All laws for the same shape have the same yield overlap. The
         curve of a law may leave the elastic curve at a smaller or larger overlap.
 
         Raises:

@@ -35,8 +35,8 @@ DENTED_FLAT_NOTE = (
     "docs/validation_steel.md"
 )
 DROP_SCATTER = 0.02  # default standard deviation of one restitution
-# Relative standard deviation of the restitution from a Leeb reading. The 95 % half-width of
-# conversions between hardness scales is 4.5 %.
+# Relative standard deviation of the restitution from a Leeb reading: 95 % of conversions are
+# within 4.5 %.
 LEEB_SCATTER = 0.045 / 1.96
 TREND_SIGNIFICANCE = 0.01  # significance level of a trend with speed
 LEEB_RANGE = Declaration("rebound hardness", "HL", 100, 1000, True, True)

@@ -130,9 +130,9 @@ def measure_discharge(
 ) -> Discharge | None:
     """Measure the rate of the steady part: fit a line to the discharged grains versus time.
 
-    The steady part begins after sqrt(2 D0/g), the time of free fall by one orifice diameter,
-    because the flow develops in this time. The steady part ends when `STEADY_SHARE` of
-    the grains are discharged, because the level is then near the cone.
+    The steady part begins after the time sqrt(2 D0/g), in which the flow develops. This time is the
+    duration of a free fall by one orifice diameter. The steady part ends when `STEADY_SHARE` of the
+    grains are discharged, because the level is then near the cone.
 
     Args:
         series: Columns time [s] since the orifice opened, atoms, counted (discharged grains), and

@@ -13,8 +13,8 @@ def contact_time(law, radius_eff: float, mass_eff: float, speed: float) -> tuple
     """Return the time to the largest overlap and to the end of the contact.
 
     The time is the integral of d(overlap)/speed, where 1/2 m* speed^2 is the remaining kinetic
-    energy. Gauss-Legendre quadrature uses the square root of the distance to the largest overlap as
-    its variable, because the speed is zero there.
+    energy. The speed is zero at the largest overlap. The variable of the Gauss-Legendre quadrature
+    is therefore the square root of the distance to the largest overlap.
 
     Args:
         law: Instance of a class of `plastigran.laws.LAWS` whose force depends only on overlap.

@@ -3,7 +3,7 @@
 
     python -m plastigran.validation.dented_steel
 
-computes the impacts that are not in the cache, and writes the table
+This command computes the impacts that are not in the cache, and writes the table
 `plastigran/data/finite_elements_leeb.csv`. The steel is perfectly plastic, with the yield strength
 hardness/2.8. The computation assumes small strain, which is accurate up to a/R = 0.1, but some
 impacts exceed this value.

@@ -50,8 +50,8 @@ class Edges:
     def mean(self, values: np.ndarray) -> np.ndarray:
         """Return the mean on each edge (n_edges,) of values at the Gauss points (n_points,).
 
-        Within an edge, the penalty pressure oscillates by some per cent about its mean, because the
-        edge is a parabola and the other body is stiff.
+        The mean removes oscillations of the penalty pressure. Within an edge, the pressure
+        oscillates by some per cent, because the edge is a parabola and the other body is stiff.
         """
         areas = self.areas / self.areas.sum(axis=1, keepdims=True)
         return (values.reshape(areas.shape) * areas).sum(axis=1)

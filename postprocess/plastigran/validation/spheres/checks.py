@@ -3,8 +3,8 @@
 
     python -m plastigran.validation.spheres.checks
 
-prints the numbers of docs/universal_derivation.md. A computation that is not in the cache takes
-some minutes.
+This command prints the accuracy that docs/universal_derivation.md states. A computation that is not
+in the cache takes some minutes.
 """
 
 from __future__ import annotations

@@ -3,8 +3,8 @@
 
     python -m plastigran.validation.spheres.fit [--figures FOLDER]
 
-prints the constants in the format of the law's header, and the errors of the law for the metals of
-the fit and for held-out metals.
+This command prints the constants in the format of the law's header. It also prints the errors of
+the law for the metals of the fit and for held-out metals.
 """
 
 from __future__ import annotations
