@@ -33,11 +33,6 @@ from plastigran.engine.deck import read_deck
         ("drum", {"drum_radius": 0.02}, r"drum_radius is 0.02; it must be above 0.023 and finite"),
         ("drum", {"length": 0.01}, r"length is 0.01; it must be above 0.023 and below 0.05 \[m\]"),
         ("drum", {"settling": 0.89}, r"settling is 0.89; it must be at most 0.885 \[revolutions\]"),
-        (
-            "chute",
-            {"law": "hertz", "ledger": "off", "tangential": "partial_slip"},
-            "tangential is partial_slip, but LIGGGHTS' own hertz does not support it",
-        ),
         ("hopper", {"orifice": 9}, "orifice is 9; there are meshes for 5, 6, 7, 8"),
         ("hopper", {"layers": 21}, "layers is 21; at most 20 fit into the barrel"),
         (

@@ -89,12 +89,14 @@ class Contact:
 
     Attributes:
         models: Words after the normal model.
+        law: Normal model.
         at_walls: Words after the normal model on wall lines, if they differ.
         options: Words at the end of the line.
         more: Commands after the walls.
     """
 
     models: str = "tangential history"
+    law: str = "thornton"
     at_walls: str = ""
     options: str = ""
     more: str = ""
@@ -137,6 +139,10 @@ SLIPPING = {
     ),
     "partial_slip and dashpot": Contact("tangential partial_slip", options="viscous_damping on"),
     "incremental": Contact("tangential incremental"),
+    "hertz and partial_slip": Contact("tangential partial_slip", law="hertz", options="rings 5"),
+    "hertz and incremental": Contact(
+        "tangential incremental cohesion sjkr rolling_friction epsd2", law="hertz"
+    ),
 }
 ALL = CONTACTS | SLIPPING
 host_contact = pytest.mark.parametrize("contact", CONTACTS.values(), ids=CONTACTS)
@@ -146,7 +152,7 @@ STEPS = 800
 
 def deck(
     contact: Contact,
-    law: str = "thornton",
+    law: str = "",
     *,
     strength: str = STRENGTH,
     ledger: bool = False,
@@ -156,6 +162,7 @@ def deck(
     if ledger:
         contact = evolve(contact, options=f"{contact.options} energy_ledger on")
     models, options, more = contact.models, contact.options, contact.more
+    law = law or contact.law
     values = {
         "pair": f"pair_style gran model {law} {models} {options}",
         "damping": "0.3 0.2 0.2 0.3",
@@ -224,6 +231,7 @@ communicate     single vel yes
         ("sjkr and epsd", 2),
         ("partial_slip", 2),
         ("incremental", 2),
+        ("hertz and partial_slip", 2),
     ],
 )
 def test_contacts_remember_when_grains_come(name, ranks, tmp_path):
@@ -251,7 +259,40 @@ def test_the_ledger_closes(name, tmp_path):
     start(deck(ALL[name], ledger=True), tmp_path)
     table = read_thermo(tmp_path / "log.liggghts")
     assert table["drift"].abs().max() < 3e-4 * table["kinetic"].max()
-    assert table["plastic"].iloc[-1] > 0.01 * table["kinetic"].max()
+    loss = "friction" if ALL[name].law == "hertz" else "plastic"
+    assert table[loss].iloc[-1] > 0.01 * table["kinetic"].max()
+
+
+@pytest.mark.parametrize("tangential", ["partial_slip", "incremental"])
+def test_hertz_beside_a_tangential_law_is_an_unyielding_law(tangential, tmp_path):
+    """LIGGGHTS' hertz and a law without yield give the same motion with a tangential law, for the
+    reason and with the tolerance of `test_an_unyielding_law_is_the_engines_hertz`.
+    """
+    contact = Contact(f"tangential {tangential}")
+    ours = start(deck(contact, strength=NO_YIELD), tmp_path / "ours")
+    hertz = start(deck(contact, "hertz"), tmp_path / "hertz")
+    assert_alike(ours, hertz, 1e-9)
+
+
+def test_the_dashpot_of_hertz_is_counted(tmp_path):
+    """The balance error is below 3e-4 of the largest kinetic energy, as in the test above."""
+    elastic, damped = (f"Restitution peratomtypepair 2{4 * e}" for e in (" 1", " 0.5"))
+    commands = deck(ALL["hertz and partial_slip"], ledger=True)
+    assert elastic in commands
+    start(commands.replace(elastic, damped), tmp_path)
+    table = read_thermo(tmp_path / "log.liggghts")
+    assert table["drift"].abs().max() < 3e-4 * table["kinetic"].max()
+    assert table["viscous"].iloc[-1] > 0.01 * table["kinetic"].max()
+
+
+def test_hertz_beside_a_tangential_law_refuses_what_it_cannot_do(tmp_path):
+    contact = Contact("tangential partial_slip", law="hertz")
+    for option, problem in {
+        "computeElasticPotential on": "computeElasticPotential is not supported beside a tangent",
+        "adhesion jkr": "adhesion jkr is not available with this model",
+    }.items():
+        with pytest.raises(EngineError, match=f"model hertz: {problem}"):
+            start(deck(evolve(contact, options=option)), tmp_path)
 
 
 @pytest.mark.parametrize(

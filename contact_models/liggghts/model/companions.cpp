@@ -42,6 +42,11 @@ const std::array<CompanionKind, 4>& companion_kinds() {
   return kinds;
 }
 
+bool is_tangential_law(int id) {
+  using namespace LIGGGHTS::ContactModels;
+  return id == TANGENTIAL_INCREMENTAL || id == TANGENTIAL_PARTIAL_SLIP;
+}
+
 bool has_model(std::int64_t hash, const std::string& keyword, const std::string& name) {
   if (keyword == "normal")
     return LIGGGHTS::ContactModels::Factory::instance().getNormalModelId(name) == model_of(hash, 0);

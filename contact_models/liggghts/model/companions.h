@@ -46,6 +46,9 @@ inline std::int64_t hash_of_rings(int rings) {
   return rings == default_rings ? 0 : std::int64_t{rings - 1} << 31;
 }
 
+// Returns whether an ID in LIGGGHTS' table of tangential models is that of a tangential law.
+bool is_tangential_law(int id);
+
 // Returns whether the hash contains the model `name` after `keyword`: "normal", "tangential", ...,
 // or the option "adhesion" "jkr", or a number of "rings" other than the default.
 bool has_model(std::int64_t hash, const std::string& keyword, const std::string& name);

@@ -37,6 +37,10 @@ std::string ContactOwner::law() const {
 #include "registered.inc"
 #undef LAW
 #undef COMBINATION
+  if (has_model("normal", "hertz"))
+    for (const Companion& companion : companion_kinds()[0].models)
+      if (is_tangential_law(companion.id) && has_model("tangential", companion.name))
+        return "hertz";
   return {};
 }
 

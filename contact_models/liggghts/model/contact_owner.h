@@ -33,7 +33,7 @@ class ContactOwner {
   bool has_model(const std::string& keyword, const std::string& name) const;
 
   // Returns the law in the line, with the option `adhesion jkr` if the line has it; empty for a
-  // normal model of LIGGGHTS.
+  // normal model of LIGGGHTS, except for `hertz` beside a tangential law.
   std::string law() const;
 
   // Returns the other contact models in the line (" KIND NAME ..."), without those that are off,

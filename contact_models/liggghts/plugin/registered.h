@@ -13,7 +13,7 @@
 
 namespace plastigran {
 
-// Name, ID and factory function of the normal model of a law.
+// Name, ID and factory functions of the normal model of a law, or of LIGGGHTS' own `hertz`.
 struct RegisteredLaw {
   typedef std::shared_ptr<LIGGGHTS::ContactModels::NormalModelBase> Model;
 

@@ -28,6 +28,7 @@ using namespace LIGGGHTS::ContactModels;
 #include "registered.inc"
 #undef LAW
 #undef COMBINATION
+extern const RegisteredLaw host_hertz;
 
 namespace {
 
@@ -53,8 +54,10 @@ int RegisteredCombination::*const places[] = {
     &RegisteredCombination::rolling, &RegisteredCombination::surface};
 
 const RegisteredLaw& law_of(int64_t hash) {
+  const int id = model_of(hash, 0);
+  if (id == host_hertz.id) return host_hertz;
   return **std::find_if(std::begin(laws), std::end(laws),
-                        [hash](const RegisteredLaw* law) { return law->id == model_of(hash, 0); });
+                        [id](const RegisteredLaw* law) { return law->id == id; });
 }
 
 // Returns whether a combination was compiled for `model` at `place`, or for any model there.
@@ -123,21 +126,27 @@ void add(const RegisteredLaw& law, const RegisteredCombination& models) {
   }
 }
 
-void add_all(const RegisteredLaw& law) {
-  ContactModels::Factory::instance().addNormalModel(law.name, law.id);
+// Registers all combinations of a law, or those with the tangential laws only.
+void add_combinations(const RegisteredLaw& law, bool only_tangential_laws) {
   const auto& kinds = companion_kinds();
-  for (const Companion& tangential : kinds[0].models)
+  for (const Companion& tangential : kinds[0].models) {
+    if (only_tangential_laws && !is_tangential_law(tangential.id)) continue;
     for (const Companion& cohesion : kinds[1].models)
       for (const Companion& rolling : kinds[2].models)
         for (const Companion& surface : kinds[3].models)
           add(law, {tangential.id, cohesion.id, rolling.id, surface.id, nullptr, nullptr});
+  }
 }
 
 const bool registered = [] {
   ContactModels::Factory& factory = ContactModels::Factory::instance();
   factory.addTangentialModel(Incremental::name, TANGENTIAL_INCREMENTAL);
   factory.addTangentialModel(PartialSlip<4>::name, TANGENTIAL_PARTIAL_SLIP);
-  for (const RegisteredLaw* law : laws) add_all(*law);
+  for (const RegisteredLaw* law : laws) {
+    factory.addNormalModel(law->name, law->id);
+    add_combinations(*law, false);
+  }
+  add_combinations(host_hertz, true);
   return true;
 }();
 

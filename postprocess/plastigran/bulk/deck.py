@@ -266,15 +266,6 @@ class GranularDeck(BulkDeck):
     )
     gravitational_acceleration: float = number("downward acceleration", "m/s^2", 0)
 
-    def check(self) -> None:
-        """Check that the normal law supports the tangential model."""
-        if self.law == "hertz" and self.tangential in laws.TANGENTIAL_LAWS:
-            raise ValueError(
-                f"tangential is {self.tangential}, but LIGGGHTS' own hertz does not support it. "
-                "Set tangential=history, or another law"
-            )
-        BulkDeck.check(self)
-
 
 @attrs.frozen(kw_only=True)
 class FlowDeck(GranularDeck):

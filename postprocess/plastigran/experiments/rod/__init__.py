@@ -88,11 +88,6 @@ class RodImpact(Experiment):
             raise ValueError(
                 "LIGGGHTS' own hertz without damping has no friction with tangential no_history"
             )
-        if self.law == "hertz" and self.tangential in laws.TANGENTIAL_LAWS:
-            raise ValueError(
-                f"tangential is {self.tangential}, but LIGGGHTS' own hertz does not support it. "
-                "Set tangential to history, or use another law"
-            )
         overlap, radius = self.frozen().overlap_max, self.rod.tip_radius
         check_overlap(self, overlap, radius, SPHERE_OVERLAP, "tip radii")
 
