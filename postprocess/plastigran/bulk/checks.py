@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Checks of the results of bulk runs, used by several decks.
 
-A `series` has one row per line of the log, and the energy terms of inputs/energy_ledger.in [J].
+A `series` is a table with one row per line of the log. Its columns include the energy terms [J]
+that inputs/energy_ledger.in defines.
 """
 
 from __future__ import annotations
@@ -9,44 +10,46 @@ from __future__ import annotations
 import attrs
 import pandas as pd
 
-#: Largest relative error of restitution at the recommended time step (docs/timestep.md).
+#: Largest relative error of the restitution coefficient at the recommended time step
+#: (docs/timestep.md).
 RESTITUTION_ERROR = 1e-3
-#: Largest balance error / energy input at the recommended time step. The factor is 2, because
-#: energy is proportional to the square of restitution.
+#: Largest allowed balance error as a fraction of the energy input, at the recommended time step.
+#: The rebound energy is proportional to the square of the restitution coefficient, hence the factor
+#: 2.
 LEDGER = 2 * RESTITUTION_ERROR
 
-#: Largest allowed ratio of overlap to largest overlap for which the law is valid.
+#: Largest allowed overlap, as a multiple of the largest overlap for which the law is valid.
 EXCESS = 10.0
-#: Names of the checks of the energy balance.
+#: Names of the two checks that `ledger_checks` returns.
 LEDGER_CHECKS = (
     "balance error, divided by the energy input",
     "plastic work lost, divided by the energy input",
 )
-#: Largest spacing of rows for trapezoidal integration, in units of sqrt(d/g), the time in which a
-#: grain moves by its diameter under its weight.
+#: Time between log lines for which decks state the error of trapezoidal integration, as a multiple
+#: of sqrt(d/g). A grain of diameter d falls by d/2 from rest in the time sqrt(d/g).
 FINE_ROWS = 0.25
 
-#: Energy terms of inputs/energy_ledger.in whose sum is the energy input. The input already contains
-#: the work of gravity, so its potential energy is not a term.
+#: Energy terms of inputs/energy_ledger.in whose sum equals the energy input. The energy input
+#: includes the work of gravity, so the potential energy is not one of the terms.
 ENERGIES = ["kinetic", "elastic", "plastic", "friction", "viscous"]
-#: Energy terms that only contacts with adhesion have: the surface energy, which is negative, and
-#: the loss when contacts form and break. They are part of the sum if the log has both.
+#: Further terms of this sum for contacts with adhesion: the surface energy, which is negative, and
+#: the energy lost when contacts form and break. They count only if the log has both.
 ADHESION = ["surfaces", "adhesion"]
-#: Dissipated energy terms.
+#: Energy terms of dissipation.
 DISSIPATED = ["plastic", "friction", "viscous"]
-#: Energy terms that accumulate.
+#: Terms that accumulate from the start of a run.
 FLOWS = [*DISSIPATED, "wallwork", "inserted", "drift"]
 
 
 @attrs.frozen
 class Check:
-    """Check of a run.
+    """Comparison of a quantity of a run with its largest allowed value.
 
     Attributes:
-        name: Quantity that must be small, in words.
-        value: Value of the run.
+        name: Name of the quantity, in words.
+        value: Value of the quantity in the run.
         limit: Largest allowed value.
-        reason: Reason of the limit.
+        reason: Reason for the limit.
     """
 
     name: str
@@ -56,15 +59,15 @@ class Check:
 
     @property
     def passed(self) -> bool:
-        """Whether the value is within the limit; NaN is not."""
+        """Whether the value is at most the limit; false if the value is NaN."""
         return bool(self.value <= self.limit)
 
 
 def range_checks(excess: dict[str, float]) -> list[Check]:
-    """Return a failed check for each law whose validity range was exceeded by more than `EXCESS`.
+    """Return a failed check for each law whose largest overlap exceeds the limit `EXCESS`.
 
     Args:
-        excess: For each law, largest overlap / largest valid overlap [-].
+        excess: Largest overlap / largest valid overlap [-], by name of the law.
     """
     reason = "the law is not valid there. Check the units, Young's modulus and the time step"
     name = "largest overlap, divided by the largest valid overlap of"
@@ -78,13 +81,13 @@ def range_checks(excess: dict[str, float]) -> list[Check]:
 def energy_input(series: pd.DataFrame) -> float:
     """Return the energy input by gravity, walls, inserted grains and initial motion [J].
 
-    It is the largest sum of kinetic, stored and dissipated energy.
+    The function takes the largest sum of kinetic, stored and dissipated energy over all rows.
     """
     return float(series[energy_terms(series)].sum(axis="columns").max())
 
 
 def energy_terms(series: pd.DataFrame) -> list[str]:
-    """Return the names of the terms whose sum is the energy input, for the columns of a series."""
+    """Return the names of the columns of a series whose sum is the energy input."""
     return ENERGIES + (ADHESION if set(ADHESION) <= set(series) else [])
 
 
@@ -101,13 +104,13 @@ def dissipated(series: pd.DataFrame) -> pd.Series:
 
 
 def since_first(series: pd.DataFrame) -> pd.DataFrame:
-    """Return the series with time [s] and accumulated terms [J] counted from its first row."""
+    """Return a series whose time [s] and accumulated terms [J] start at zero in the first row."""
     accumulated = [*FLOWS, "time"]
     return series.assign(**{name: series[name] - series[name].iloc[0] for name in accumulated})
 
 
 def ledger_checks(series: pd.DataFrame, limit: float = LEDGER) -> list[Check]:
-    """Check that the energy balance closes, and that plastic work never decreases.
+    """Return checks that the energy balance closes and that the plastic work never decreases.
 
     Args:
         series: Terms of the energy balance [J].
@@ -131,7 +134,7 @@ def ledger_checks(series: pd.DataFrame, limit: float = LEDGER) -> list[Check]:
 
 
 def trapezia_factor(time: pd.Series, diameter: float, gravitational_acceleration: float) -> float:
-    """Return the integration error divided by the error with the row spacing `FINE_ROWS` [-].
+    """Return the ratio of the integration error to the error at the row spacing `FINE_ROWS` [-].
 
     The error of trapezoidal integration is proportional to the square of the row spacing. The
     result is at least 1.

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Plastic work of every contact between grains, from its contact history.
+"""Compute the plastic work of contacts between grains from their contact histories.
 
-With `contact_history=1`, the frames of a deck contain the first value of each contact history. This
-value and the overlap determine the plastic work, because the laws are path-explicit.
+With `contact_history=1`, the frames of a deck contain the first value of each contact history. If
+the yield strength does not depend on the impact rate, this value and the overlap determine the
+plastic work.
 """
 
 from __future__ import annotations
@@ -17,13 +18,13 @@ from plastigran import laws
 from plastigran.bulk.grains import Grains
 from plastigran.engine.dumps import read_dump
 
-#: Columns of a frame's file of histories: IDs of both grains, 1 for a contact through a periodic
-#: side, first value of the history.
+#: Columns of the file with the contact histories of a frame: IDs of both grains, 1 for a contact
+#: across a periodic boundary (else 0), first value of the contact history.
 COLUMNS = ("id1", "id2", "periodic", "history")
 
 
 def read_histories(file: str | Path) -> pd.DataFrame:
-    """Read the histories of the contacts of a frame: one row each, columns of `COLUMNS`.
+    """Read the contact histories of a frame: one row per contact, with the columns `COLUMNS`.
 
     Raises:
         DumpError: The file is damaged.
@@ -39,13 +40,14 @@ def plastic_works(
 
     Args:
         grains: Law and material of the grains.
-        radius_eff: R* of each contact (N,), m.
+        radius_eff: Effective radius R* of each contact (N,), m.
         overlap: Overlaps (N,), m.
-        history: First value of each history, see `state_names` of the law, (N,).
+        history: First value of each contact history (N,). `state_names` of the law names the value.
 
     Returns:
-        Total plastic work of each contact (N,), J. NaN if the yield strength depends on the impact
-        rate, because then one value of the history is not enough.
+        Plastic work of each contact since it formed (N,), J. NaN if the yield strength depends on
+        the impact rate, because one value of the history does not determine the work of such a
+        contact.
     """
     law = grains.contact_law()
     radius_eff, overlap, history = (np.asarray(a, float) for a in (radius_eff, overlap, history))
@@ -63,7 +65,7 @@ def plastic_works(
 
 
 def _state(law: type[laws.Law], value: float) -> laws.ContactState:
-    """Return the state of a contact from one value of its history."""
+    """Return the state of a contact whose history has the given first value."""
     state = law.State.__new__(law.State)
     state.__setstate__(({law.state_names[0]: float(value)},))
     return state

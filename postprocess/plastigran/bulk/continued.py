@@ -16,7 +16,7 @@ from plastigran.engine.checkpoints import checkpoints
 def finish_bulk(
     deck: str, values: Mapping[str, object], folder: Path, ranks: int = 1, show: bool = True
 ) -> BulkRun:
-    """Return a finished run of a deck: read it, continue it, or run it.
+    """Return a finished run of a deck; start or continue the run if it is not finished.
 
     The parts of an interrupted run are the folders part_1, part_2, ... in `folder`.
 
@@ -28,8 +28,8 @@ def finish_bulk(
         show: Whether to show a progress bar.
 
     Raises:
-        ValueError: `folder` contains a run with other settings, or as for `run_bulk`.
-        EngineError: As for `run_bulk`.
+        ValueError: `folder` contains a run with other settings, or `run_bulk` raises the error.
+        EngineError: `run_bulk` raises the error.
     """
     for part in _parts(folder):
         if not (part / RECORD).is_file():  # interrupted before LIGGGHTS started

@@ -22,8 +22,8 @@ from plastigran.declared import declarations, number, radius_field, require, who
 from plastigran.materials import BODY_CONSTANTS, Material, body_constant
 from plastigran.usable_laws import laws_for
 
-#: Largest balance error / energy input of the decks of the bulk benchmark. Tables of their energies
-#: state tenths of a per cent.
+#: Largest allowed balance error as a fraction of the energy input, for the decks of the bulk
+#: benchmark (docs/decks/benchmark.md). The tables of the benchmark state energies to 0.1 %.
 BENCHMARK_BALANCE = 1e-3
 
 
@@ -32,10 +32,10 @@ class Analysis:
     """Result of the analysis of a run.
 
     Attributes:
-        series: One row per line of the log, with measured and predicted quantities.
-        checks: Checks of the deck.
+        series: Table with one row per line of the log: measured and predicted quantities.
+        checks: Results of the checks of the deck.
         figures: Figures by name.
-        notes: Sentences on quantities that could not be measured.
+        notes: Sentences that say which quantities could not be measured, and why.
         results: Measured numbers by name, with the unit in the name.
     """
 
@@ -57,10 +57,11 @@ class Brief:
 
     Attributes:
         settings: Settings that make the run short.
-        start: Further settings for a comparison of numbers of ranks. They end the run soon after
-            the first impacts, so that the results on several ranks agree to 1e-9.
-        restart: Largest allowed difference of a continued run, divided by the largest value of the
-            column [-]; 0 if it must be bitwise identical.
+        start: Further settings for the test that compares runs on 1, 2 and 4 ranks. They end the
+            run soon after the first impacts, because round-off grows with each impact. The test
+            allows a difference of 1e-9.
+        restart: Largest allowed difference between a continued and an uninterrupted run, divided by
+            the largest value of the column [-]. 0 requires bitwise identical results.
     """
 
     settings: Mapping[str, object]
@@ -70,18 +71,19 @@ class Brief:
 
 @attrs.frozen(kw_only=True)
 class BulkDeck:
-    """Settings that every bulk deck has, given as text or numbers. Subclasses add settings.
+    """Base class of bulk decks with their common settings, given as text or numbers.
 
     Attributes:
-        output: Folder of the run. Decks read the log and further files from it.
+        output: Folder of the run, from which the analysis reads the log and further files.
 
     Raises:
         ValueError: A setting is out of range; the message names it, its value and what is allowed.
     """
 
-    #: Short runs of the deck, by label.
+    #: Short runs of the deck for the conformance tests, by label.
     briefs: ClassVar[Mapping[str, Brief]] = {}
-    #: Largest balance error / energy input, or None for the limit that follows from the time step.
+    #: Largest allowed balance error as a fraction of the energy input. None: `ledger_limit`
+    #: computes it from the time step.
     balance_limit: ClassVar[float | None] = None
 
     output: Path = attrs.field(converter=Path)
@@ -111,7 +113,7 @@ class BulkDeck:
     ledger: str = word("energy balance", ("on", "off"))
 
     def __init_subclass__(cls) -> None:
-        """Reject a setting whose name is an attribute of the class, such as `grains`."""
+        """Reject a setting that has the name of an inherited property or method, as `grains`."""
         for name in cls.__annotations__:
             inherited = getattr(super(cls, cls), name, None)
             if isinstance(inherited, property) or callable(inherited):
@@ -124,7 +126,7 @@ class BulkDeck:
         self.check()
 
     def check(self) -> None:
-        """Check conditions between settings. A subclass that overrides this method must call it.
+        """Check conditions that involve several settings. Overriding methods must call this method.
 
         Raises:
             ValueError: A condition is violated; the message names the setting.
@@ -150,14 +152,14 @@ class BulkDeck:
         """
 
     def write_inputs(self, folder: Path) -> None:
-        """Write the files that a new run reads from its folder."""
+        """Write the files that a new run reads from its folder, such as initial positions."""
 
     def analyse(self, series: pd.DataFrame) -> Analysis:
         """Analyse a run.
 
         Args:
-            series: Log from step 0, including earlier parts of a continued run: `step`, `time` [s],
-                and the columns of the deck.
+            series: Table of the log from step 0, including earlier parts of a continued run. Its
+                columns are `step`, `time` [s] and those of the deck.
 
         Raises:
             ValueError: The series lacks the data for a measurement.
@@ -166,7 +168,7 @@ class BulkDeck:
 
     @classmethod
     def read(cls, settings: Mapping[str, object]) -> Self:
-        """Return the deck with the settings of a run, as text or numbers; ignore other settings.
+        """Create the deck from the settings of a run, text or numbers. Other names are ignored.
 
         Raises:
             ValueError: A setting is missing or out of range.
@@ -198,7 +200,7 @@ class BulkDeck:
 
     @property
     def grains(self) -> Grains:
-        """Grains, with the options that belong to the law."""
+        """Grains and their contact law, with those `options` that belong to the law."""
         material = Material(
             self.material,
             density=self.density,
@@ -210,19 +212,20 @@ class BulkDeck:
         return Grains(self.law, options, material, self.radius)
 
     def derived(self, name: str) -> float:
-        """Return a value that the deck printed; errors as for `read_derived`."""
+        """Return the VALUE of a log line `derived NAME = VALUE`; errors as for `read_derived`."""
         return read_derived(self.output, name)
 
     def ledger_checks(self, series: pd.DataFrame) -> list[Check]:
-        """Return the checks of the energy balance; no checks for a run without energy balance."""
+        """Return the checks of the energy balance; [] for a run without energy balance."""
         return ledger_checks(series, self.ledger_limit(series)) if self.ledger == "on" else []
 
     def ledger_limit(self, series: pd.DataFrame) -> float:
         """Return the largest allowed balance error as a fraction of the energy input [-].
 
-        It is `LEDGER` times the square of the time step divided by the recommended one, because the
-        integrator is of second order. The recommended step belongs to the impact of two grains at
-        the speed that corresponds to the whole energy input. The limit is at most `LEDGER`.
+        The class attribute `balance_limit` sets the limit. If it is None, the limit is `LEDGER`
+        (dt/dt_r)^2, because the integrator is of second order, and at most `LEDGER`. dt is the time
+        step and dt_r the recommended time step. dt_r is computed for two grains that collide at the
+        rms speed which all grains would have if the energy input were kinetic energy.
 
         Args:
             series: Terms of inputs/energy_ledger.in [J], and the column atoms.
@@ -244,7 +247,7 @@ class BulkDeck:
 
 @attrs.frozen(kw_only=True)
 class GranularDeck(BulkDeck):
-    """Settings of decks with friction and gravity: inputs/bulk/parts/friction.in."""
+    """Base class of decks with friction and gravity (inputs/bulk/parts/friction.in)."""
 
     tangential: str = word(
         "model of sliding friction", ("off", "no_history", "history", *laws.TANGENTIAL_LAWS)
@@ -269,9 +272,9 @@ class GranularDeck(BulkDeck):
 
 @attrs.frozen(kw_only=True)
 class FlowDeck(GranularDeck):
-    """Settings of decks with grains of two sizes whose flow becomes steady after `settling`."""
+    """Base class of decks with grains of two sizes and a flow that is steady after `settling`."""
 
-    #: Smallest number of rows after `settling`, through which a line is fitted.
+    #: Smallest number of log lines after `settling`. A straight line is fitted to them.
     steady_rows: ClassVar[int] = 10
 
     size_spread: float = number(

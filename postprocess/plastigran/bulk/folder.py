@@ -27,7 +27,7 @@ from plastigran.engine.log import LOGS, find_excess, log_path
 from plastigran.engine.process import EngineError, engines
 
 RECORD = "run.json"
-#: Rows of the earlier run up to the checkpoint from which this run continues.
+#: File with the rows of the earlier run up to the checkpoint from which this run continues.
 BEFORE = "before.csv"
 SERIES = "series.csv"
 CHECKS = "checks.csv"
@@ -36,7 +36,8 @@ DUMP = "grains.dump"
 #: File of collision spectra. LIGGGHTS appends tables. A run that continues from a checkpoint
 #: removes the tables that were written after the checkpoint.
 SPECTRA = "collision_spectra.csv"
-#: Files of a run, which are removed with the checkpoints before the run is overwritten.
+#: Names and patterns of files that are removed, in addition to checkpoints, before a run is
+#: overwritten.
 RUN_FILES = (
     RECORD,
     f"{RECORD}.new",
@@ -51,7 +52,7 @@ RUN_FILES = (
     CHECKS,
     f"{PATTERN}{CHECKSUM}*",
 )
-#: Optional entries of a record that are tables, with the type of their values.
+#: Entries of `run.json` that are JSON objects, with the type of their values.
 _TABLES = {
     "values": str,
     "settings": str,
@@ -107,7 +108,7 @@ def read_record(folder: str | Path) -> dict:
 
 
 def write_record(folder: Path, record: dict) -> None:
-    """Write `run.json` completely or not at all."""
+    """Write `run.json`. If the write is interrupted, the earlier file stays unchanged."""
     draft = folder / f"{RECORD}.new"
     draft.write_text(json.dumps(record, indent=2) + "\n")
     draft.replace(folder / RECORD)
@@ -117,8 +118,8 @@ def prepare_folder(folder: Path, force: bool) -> None:
     """Create the folder of a run, or remove the files of an earlier run from it. Other files stay.
 
     Raises:
-        ValueError: The folder contains a run and `force` is false; it contains files but no run; or
-            a host is writing there.
+        ValueError: The folder contains files and `force` is false; the folder contains files but no
+            run; or a run is in progress in the folder.
     """
     if processes := engines(folder):
         raise ValueError(
@@ -138,7 +139,8 @@ def prepare_folder(folder: Path, force: bool) -> None:
             f"{folder} contains files but no {RECORD}, so --force does not overwrite it. "
             "Choose another --output"
         )
-    # Remove checkpoints first: an interruption must not leave any that are newer than this run's.
+    # Remove the checkpoints first. If the new run is interrupted, no checkpoint of the earlier run
+    # may be newer than those of the new run.
     for file in checkpoints(folder):
         file.unlink()
     for pattern in RUN_FILES:
@@ -164,7 +166,9 @@ def all_derived(folder: str | Path) -> dict[str, float]:
 
 
 def all_excess(folder: str | Path) -> dict[str, float]:
-    """Return the result of `find_excess` for a run and its earlier parts.
+    """Return the largest overlap / largest valid overlap [-] by law, for laws that exceeded 1.
+
+    The result covers a run and its earlier parts.
 
     Raises:
         EngineError: The folder contains no run.
@@ -190,7 +194,10 @@ def read_derived(folder: str | Path, name: str) -> float:
 
 
 def carry_files(earlier: Path, folder: Path, last: int) -> None:
-    """Copy the files to which LIGGGHTS appends: spectra, and the complete frames up to a step."""
+    """Copy collision spectra, and the complete frames of grains before step `last`, to a new run.
+
+    LIGGGHTS appends the data of a continued run to these files.
+    """
     if (earlier / SPECTRA).exists():
         shutil.copy(earlier / SPECTRA, folder)
     if not (earlier / DUMP).exists():
@@ -202,7 +209,7 @@ def carry_files(earlier: Path, folder: Path, last: int) -> None:
 
 
 def _next_frame(dump: TextIO) -> list[str]:
-    """Return the lines of the next frame of a dump, header and atoms; [] if incomplete."""
+    """Return the lines of the next frame of a dump, or [] if the frame is incomplete."""
     head = list(islice(dump, 9))
     if len(head) < 9:
         return []
@@ -211,7 +218,7 @@ def _next_frame(dump: TextIO) -> list[str]:
 
 
 def restart_point(folder: Path, record: dict) -> Path:
-    """Return the newest complete checkpoint of a run, or the one from which it started.
+    """Return the newest complete checkpoint of a run, or the checkpoint from which the run started.
 
     Raises:
         EngineError: There is no checkpoint.

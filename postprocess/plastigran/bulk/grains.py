@@ -16,7 +16,7 @@ class Grains:
     """Equal spheres and the contact law between two of them.
 
     Attributes:
-        law: Name of the law.
+        law: Name of the contact law.
         options: Options of the law, by name.
         material: Material of the grains.
         radius: Radius [m].

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from plastigran.engine.deck import index_variables
 
-#: Settings with the values that decks have in LAMMPS.
+#: Values that a setting may have in LAMMPS.
 SUPPORTED = {
     "tangential": ("off", "history", "partial_slip", "incremental"),
     "rolling_friction": ("off",),
@@ -18,7 +18,7 @@ SUPPORTED = {
 
 
 def takes_host(script: Path) -> bool:
-    """Return whether a deck of `inputs/bulk` runs in LAMMPS: it then has the setting `host`."""
+    """Return whether a deck of `inputs/bulk` can run in LAMMPS, that is, has the setting `host`."""
     return "host" in index_variables(script)
 
 

@@ -22,7 +22,7 @@ from plastigran.engine.process import EngineError
 
 
 class CheckError(ValueError):
-    """A run reached its end but failed a check; the message names the check."""
+    """A finished run failed a check; the message names the check."""
 
 
 @attrs.frozen(repr=False)
@@ -31,10 +31,10 @@ class BulkRun:
 
     Attributes:
         name: Name of the deck.
-        folder: Folder of its files.
-        deck: Settings; None for a deck without a class.
-        analysis: Analysis of the deck, without checks and figures for an unfinished run.
-        finished: Whether the host reached the end.
+        folder: Folder of the files of the run.
+        deck: Deck with its settings; None for a user's deck, which has no class.
+        analysis: Analysis of the run. An unfinished run has no checks and figures.
+        finished: Whether LIGGGHTS or LAMMPS reached the end of the script.
     """
 
     name: str
@@ -45,12 +45,12 @@ class BulkRun:
 
     @property
     def series(self) -> pd.DataFrame:
-        """One row per line of the log, with measured and predicted quantities in SI units."""
+        """Table with one row per line of the log: measured and predicted quantities in SI units."""
         return self.analysis.series
 
     @property
     def checks(self) -> pd.DataFrame:
-        """One row per check: name, value, limit, reason, and whether it passed."""
+        """Table with one row per check: name, value, limit, reason, and whether it passed."""
         columns = [field.name for field in attrs.fields(Check)]
         rows = [[*attrs.astuple(check), check.passed] for check in self.analysis.checks]
         return pd.DataFrame(rows, columns=[*columns, "passed"])
@@ -62,7 +62,7 @@ class BulkRun:
 
     @property
     def notes(self) -> list[str]:
-        """Sentences on quantities that could not be measured."""
+        """Sentences that say which quantities could not be measured, and why."""
         return self.analysis.notes
 
     @property
@@ -86,7 +86,7 @@ class BulkRun:
         return f"<run of {self.name} in {self.folder}: {len(self.series)} rows, {state}>"
 
     def raise_if_failed(self) -> Self:
-        """Return the run itself.
+        """Return the run itself if no check failed.
 
         Raises:
             CheckError: A check failed; the message names it.
@@ -101,7 +101,7 @@ def open_run(folder: str | Path) -> BulkRun:
     """Read a finished or unfinished run of a deck from its folder, as `run_bulk` returns it.
 
     Args:
-        folder: Folder of the results; it may have been moved.
+        folder: Folder of the results. The folder may have been moved since the run.
 
     Raises:
         EngineError: The folder contains no run, or its record is damaged.

@@ -29,9 +29,9 @@ from plastigran.engine.deck import MESHES, DeckSource, commands
 from plastigran.engine.log import log_path
 from plastigran.engine.process import EngineError, inputs_folder, misread
 
-#: Settings with which a deck continues from a restart file.
+#: Settings that a deck needs in order to continue from a restart file.
 CONTINUE_SETTINGS = ("start", "checkpoint")
-#: Requirements of a deck that can continue.
+#: Text for error messages: requirements of a deck that can continue.
 CONTINUE_HINT = (
     "the deck needs settings `start` (fresh or checkpoint) and `checkpoint` (a file), and a "
     "`restart` "
@@ -40,7 +40,7 @@ CONTINUE_HINT = (
 #: Commands after which the number of steps cannot be predicted from the script.
 CONTROL = {"if", "jump", "next", "label", "reset_timestep", "read_restart"}
 
-#: Remarks on omitted checks and figures.
+#: Notes about omitted checks and figures.
 NO_TERMS = "no checks were made: the deck has no energy balance, or the log lacks its terms"
 NO_INPUT = "the energy balance was not checked, because the energy input is zero"
 NO_TIME = (
@@ -82,7 +82,7 @@ def _scripts(source: DeckSource) -> list[Path]:
 
 
 def own_places(source: DeckSource, folder: Path) -> dict[str, object]:
-    """Return the values of `inputs` and `output`; None for one that the deck does not read.
+    """Return the values of the variables `inputs` and `output`; None for a missing variable.
 
     Raises:
         ValueError: The deck reads ${output}, and its value has characters that LIGGGHTS misreads.
@@ -125,16 +125,16 @@ def check_laws(source: DeckSource) -> None:
 
 
 def own_restart_point(source: DeckSource, earlier: Path, record: dict) -> Path:
-    """Return the `restart_point` of a run of a user's deck.
+    """Return the checkpoint from which a run of a user's deck can continue.
 
     Args:
-        source: Deck.
-        earlier: Folder of the run.
-        record: Contents of its `run.json`.
+        source: The user's deck.
+        earlier: Folder of the run to continue.
+        record: Contents of `run.json` in this folder.
 
     Raises:
         ValueError: The deck lacks the settings to continue.
-        EngineError: There is no complete checkpoint.
+        EngineError: There is no complete checkpoint, or the log contains `reset_timestep`.
     """
     if missing := [name for name in CONTINUE_SETTINGS if name not in source.settings]:
         raise ValueError(

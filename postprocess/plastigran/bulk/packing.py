@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Random packings of spheres that do not touch, as the start of bulk decks."""
+"""Random packings of spheres that do not touch, as initial positions of bulk decks."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ from scipy.spatial import cKDTree
 
 #: Distance between surfaces below which two grains are moved apart, in diameters.
 GAP = 5e-4
-#: Largest overlap, at the end, of spheres with a shell of GAP/2, in diameters. Surfaces
-#: are therefore at least GAP - TOLERANCE apart.
+#: The rounds end when the surfaces of every pair are at least GAP - TOLERANCE apart, in diameters.
 TOLERANCE = 4e-4
 #: Standard deviation of the random displacement in each round, in diameters.
 JITTER = 1e-6
-#: Largest number of rounds. Packings below random close packing, 0.64, need some hundred rounds.
+#: Largest number of rounds. A packing with a volume fraction below 0.64 (random close packing)
+#: needs some hundred rounds.
 ROUNDS = 5000
 
 
@@ -83,7 +83,7 @@ def write_data(
         radii: Radii (n,) [m].
         densities: Densities (n,) [kg/m^3].
         positions: Positions (n, 3) [m].
-        type_count: Number of atom types, also of those without spheres.
+        type_count: Number of atom types, including types without spheres.
     """
     box = zip("xyz", lower, upper, strict=True)
     lines = [

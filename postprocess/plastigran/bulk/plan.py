@@ -25,7 +25,8 @@ from plastigran.engine.deck import (
 from plastigran.engine.process import typed_command
 from plastigran.engine.versions import HOSTS
 
-#: Settings for paths of files and folders, which may differ between a run and its continuation.
+#: Settings for the kind of start and for paths, which may differ between a run and its
+#: continuation.
 PLACES = frozenset({"start", "checkpoint", "inputs", "output", "materials"})
 
 
@@ -34,14 +35,14 @@ class Plan:
     """A checked bulk run, ready to start.
 
     Attributes:
-        source: Deck with its includes.
+        source: Deck and the files that it includes.
         deck_type: Class of the deck; None for a user's input script.
         folder: Folder of the results.
         ranks: Number of MPI ranks.
         values: Settings that override those of the deck.
-        places: Settings that name files and folders.
+        places: Settings whose values are paths of files or folders.
         earlier: Folder of the run to continue, or None.
-        checkpoint: File to continue from, or None.
+        checkpoint: Restart file from which the run continues, or None.
         host: Name of the program that runs the deck.
     """
 
@@ -125,7 +126,7 @@ def plan_bulk(
 
 
 def refuse_host(host: str, script: Path) -> None:
-    """Reject a host that is unknown, or that does not run a deck of `inputs/bulk`.
+    """Reject a host that is unknown, or that cannot run the deck `script` of `inputs/bulk`.
 
     Raises:
         ValueError: The host is unknown or does not run the deck.

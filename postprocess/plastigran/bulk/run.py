@@ -54,11 +54,11 @@ def run_bulk(
             run.
         folder: Folder of the results.
         ranks: Number of MPI ranks.
-        restart: Folder of the earlier run.
+        restart: Folder of the earlier run to continue, or None.
         force: Whether to overwrite an earlier run in `folder`.
         show: Whether to show a progress bar.
-        host: Program that runs the deck, liggghts or lammps; by default that of the earlier run, or
-            LIGGGHTS.
+        host: Program that runs the deck: liggghts or lammps. The default is the host of the earlier
+            run, or liggghts for a new run.
 
     Returns:
         Series, checks and figures of the run. They are also written to `folder`, even if checks

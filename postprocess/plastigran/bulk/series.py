@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Series of a bulk run: the lines of its log from step 0, over all its continuations."""
+"""Series of a bulk run: table of its log lines from step 0, including earlier parts."""
 
 from __future__ import annotations
 
@@ -20,9 +20,10 @@ def read_series(folder: str | Path) -> pd.DataFrame:
 
     Returns:
         One row per line: `step`, `time` [s] from step 0, then the deck's columns in SI units. For a
-        user's deck, the column `run` numbers its runs. The column `time` then exists only if the
-        log has it, or if `timestep` commands determine it; it continues over all runs. If the deck
-        has `clear` commands, the column `simulation` numbers the parts between them.
+        user's deck, the column `run` numbers the `run` commands. The time of a user's deck
+        continues over all `run` commands. The column `time` is missing if neither the log nor
+        `timestep` commands determine it. If the deck has `clear` commands, the column `simulation`
+        numbers the parts between them.
 
     Raises:
         DumpError: The log is missing or has no rows.
@@ -34,7 +35,7 @@ def read_series(folder: str | Path) -> pd.DataFrame:
         series = _read_own_log(folder) if own else _read_supplied_log(folder)
         parts.append(series.rename(columns=lambda name: name.removeprefix("v_")))
     except DumpError:
-        if not parts:  # neither this run nor an earlier one has written a line
+        if not parts:  # neither this run nor an earlier part has written a line
             raise
     parts = [part for part in parts if len(part)] or parts[-1:]
     if own and len(parts) == 2:
@@ -46,7 +47,7 @@ def read_series(folder: str | Path) -> pd.DataFrame:
 
 
 def rows_up_to(series: pd.DataFrame, step: int) -> pd.DataFrame:
-    """Return the rows of a series that were written before the checkpoint at a given step."""
+    """Return the rows of a series up to the last row whose step is at most the given step."""
     (reached,) = np.nonzero(series["step"] <= step)
     return series.iloc[: reached.max(initial=-1) + 1]
 
@@ -61,7 +62,10 @@ def _read_earlier_rows(folder: Path) -> list[pd.DataFrame]:
 
 
 def _read_log(folder: Path) -> tuple[list[LoggedRun], pd.DataFrame]:
-    """Return the runs of the log and their table; the log of a stopped run may be truncated."""
+    """Return the `run` commands of the log and the table of their lines.
+
+    The last line of the log may be incomplete, if the run was stopped.
+    """
     log = log_path(folder)
     if not log.is_file():
         raise DumpError(f"{folder} contains no {log.name}")
@@ -73,7 +77,7 @@ def _read_log(folder: Path) -> tuple[list[LoggedRun], pd.DataFrame]:
 
 
 def _read_supplied_log(folder: Path) -> pd.DataFrame:
-    """Return the last run of a supplied deck, which has one time step."""
+    """Return the log lines of the last `run` command of a supplied deck, with the time [s]."""
     _, table = _read_log(folder)
     series = table[table["run"] == table["run"].max()].drop(columns="run").reset_index(drop=True)
     series.insert(1, "time", series["step"] * series.pop("timestep"))
@@ -81,7 +85,7 @@ def _read_supplied_log(folder: Path) -> pd.DataFrame:
 
 
 def _read_own_log(folder: Path) -> pd.DataFrame:
-    """Return all runs of a user's deck."""
+    """Return the log lines of all `run` commands of a user's deck, with the time [s] if known."""
     runs, series = _read_log(folder)
     series["simulation"] = [runs[number].simulation for number in series["run"]]
     time, end = pd.Series(nan, series.index), None
@@ -101,7 +105,8 @@ def _time_of_run(rows: pd.DataFrame, timestep: float) -> pd.Series:
     """Return the time of the lines of a run [s]; NaN if unknown.
 
     Args:
-        rows: Lines of the run. Columns `time` and `timestep`, if they exist, take precedence.
+        rows: Lines of the run. If a column `time` or `timestep` exists, the function uses the
+            column instead of the argument `timestep`.
         timestep: Time step from the command `timestep` [s], or NaN.
     """
     if "time" in rows and rows["time"].notna().all():
@@ -110,7 +115,7 @@ def _time_of_run(rows: pd.DataFrame, timestep: float) -> pd.Series:
         timestep = rows["timestep"].iloc[0] if rows["timestep"].nunique() == 1 else nan
     first = rows["step"].iloc[0]
     steps = rows["step"] - first
-    # Keep the start time for rows without steps, even if the time step is NaN.
+    # Rows at the first step have the start time, even if the time step is NaN.
     return (first * timestep if first else 0.0) + (steps * timestep).where(steps > 0, 0.0)
 
 
@@ -124,7 +129,8 @@ def _continue_simulations(before: pd.DataFrame, after: pd.DataFrame) -> list[pd.
 def _continue_time(before: pd.DataFrame, after: pd.DataFrame) -> list[pd.DataFrame]:
     """Shift the time of a continued log so that it follows the earlier log.
 
-    Drop `time` if either log lacks it. LIGGGHTS restarts its clock at a checkpoint.
+    LIGGGHTS restarts its time when it reads a checkpoint. If either log lacks `time`, the column is
+    removed from both tables.
     """
     if not ("time" in before and "time" in after):
         return [series.drop(columns="time", errors="ignore") for series in (before, after)]
@@ -141,9 +147,9 @@ def _continue_time(before: pd.DataFrame, after: pd.DataFrame) -> list[pd.DataFra
 def _merge_equal_steps(series: pd.DataFrame) -> pd.DataFrame:
     """Merge consecutive rows of the same step, which occur where one run ends and the next begins.
 
-    The earlier row is kept, because mesh forces are missing during setup. The later row supplies
-    columns that the earlier one lacks. Only consecutive rows are merged, because `reset_timestep`
-    may repeat steps.
+    The earlier row is kept, because LIGGGHTS writes the later row during setup, without mesh
+    forces. The later row supplies columns that the earlier row lacks. Only consecutive rows are
+    merged, because `reset_timestep` may repeat steps.
     """
     keys = series[["step", "simulation"] if "simulation" in series else ["step"]]
     groups = (keys != keys.shift()).any(axis="columns").cumsum()

@@ -20,7 +20,7 @@ def text(meaning: str) -> Any:
 def continuable(field: Any) -> Any:
     """Mark a declared field as a setting that a continued run may change.
 
-    Neither the steps before the checkpoint nor the restored grains may depend on the setting.
+    Such a setting may influence neither the steps before the checkpoint nor the restored grains.
     """
     field.metadata = {**field.metadata, "continuable": True}
     return field

@@ -20,15 +20,16 @@ from plastigran.materials import (
 )
 from plastigran.usable_laws import laws_for
 
-#: Impact speed for which the time step of the template is computed, above all its speeds [m/s].
+#: Impact speed for which the time step of a new deck is computed [m/s]. It exceeds all impact
+#: speeds in the deck.
 SPEED = 2.0
-#: Impact speed after a fall from the top of the template, 0.09 m [m/s].
+#: Impact speed after a fall from 0.09 m, the largest initial height in a new deck [m/s].
 FALL_SPEED = 1.33
-#: Grain radii for which the box of the template is large enough [m].
+#: Allowed grain radii, for which the box of the template is large enough [m].
 NEW_DECK_RADIUS = Declaration("radius", "m", 0.0005, 0.006, True, True)
 #: Further files that are copied to the folder of the new deck.
 PARTS = ("energy_ledger.in", "meshes/plate.stl", "template/fresh.in", "template/checkpoint.in")
-#: Names of these files. Neither the deck nor the material may have one of these names.
+#: Names of these files without suffix. Neither the deck nor the material may have one of them.
 USED_NAMES = [Path(file).stem for file in PARTS]
 
 
@@ -97,7 +98,7 @@ def write_deck(
 
 
 def _choices(material: Material) -> list[str]:
-    """Return the laws that the deck can use."""
+    """Return the names of the laws that the new deck can use."""
     names = laws_for("sphere", [material])
     return [name for name in names if name != "hertz" and not has_surface_energy(name)]
 

@@ -22,7 +22,7 @@ from plastigran.plot.vtk_series import (
 
 
 def write_vtk(run: BulkRun, folder: str | Path) -> list[Path]:
-    """Write the frames of a run as VTK files, and for each kind of file a list by time.
+    """Write the frames of a run as VTK files, and one list of files and times for each kind.
 
     The files are `grains_STEP.vtp`, `contacts_STEP.vtp` and `mesh_STEP.vtp`; the lists are
     `grains.pvd`, `contacts.pvd` and `mesh.pvd`. Contacts have a column `plastic_work` if the run
@@ -63,7 +63,7 @@ def write_vtk(run: BulkRun, folder: str | Path) -> list[Path]:
 
 
 def contact_columns(run: BulkRun, frame: Frame) -> dict[str, np.ndarray]:
-    """Return further columns of the contacts of a frame: `plastic_work` [J], (N,).
+    """Return further columns for the N contacts of a frame: `plastic_work` (N,) [J], if known.
 
     Raises:
         DumpError: The file of contact histories is damaged.
@@ -73,7 +73,7 @@ def contact_columns(run: BulkRun, frame: Frame) -> dict[str, np.ndarray]:
         return {}
     contacts, histories = contact_table(frame), read_histories(file)
     # Match contacts by their order, which is the same in both files. IDs do not identify a contact,
-    # because a pair may have a second contact across a periodic side.
+    # because a pair may have a second contact across a periodic boundary.
     if not all(np.array_equal(contacts[name], histories[name]) for name in ("id1", "id2")):
         raise DumpError(f"{file} and {frame.contacts} list different contacts")
     separated = contacts["overlap"] <= 0
@@ -87,7 +87,7 @@ def contact_columns(run: BulkRun, frame: Frame) -> dict[str, np.ndarray]:
 
 
 def time_of(run: BulkRun, step: int) -> float:
-    """Return the time of a step's frame [s]; the step number if the log has no time.
+    """Return the time of the frame at a step [s], or the step number if the log has no time.
 
     If a deck restarts its step count, LIGGGHTS overwrites the frames of earlier steps.
     """

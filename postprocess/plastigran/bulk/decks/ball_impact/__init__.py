@@ -19,8 +19,8 @@ from plastigran.declared import number, radius_field, require, whole
 
 #: Density of the steel ball [kg/m^3].
 STEEL = 7200.0
-#: Allowed difference of the displacement above the bed from free fall, in radii: the round-off of
-#: some 1e5 steps.
+#: Largest allowed deviation of the ball from free fall above the bed, in ball radii. The value
+#: covers the round-off of about 1e5 steps.
 FALL = 1e-9
 
 
@@ -34,7 +34,7 @@ class BallImpact(GranularDeck):
             {"grain_count": 300, "length": 0.02, "width": 0.012, "ball_radius": 0.003}
             | {"ball_height": 0.02, "timestep": 1e-6, "duration": 0.004, "rows": 40},
             start={"duration": 0.0015},
-            # The bed amplifies round-off, so continued runs agree only to this tolerance.
+            # Impacts in the bed amplify round-off, so continued runs agree only to this tolerance.
             restart=1e-6,
         )
     }

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Deck bed_impact: shots on a plate, compared with the central impact of the law, or on a bed."""
+"""Deck bed_impact: spheres (shots) hit a plate, as a test of the law, or a bed of grains."""
 
 from __future__ import annotations
 
@@ -19,12 +19,14 @@ from plastigran.bulk.decks.bed_impact.measurement import (
 )
 from plastigran.declared import number, require, whole, word
 
-#: Allowed error of the integrator at an adequate time step: relative error of restitution, rebound
-#: speed and plastic work.
+#: Largest allowed relative error of restitution, rebound speed and dissipated energy. It is the
+#: error of the time integration with an adequate time step.
 INTEGRATOR = 1e-3
-#: Allowed ratio of plastic work in the last step of pouring to plastic work of the shots.
+#: Largest allowed relative difference between the plastic work of the grains and of the energy
+#: balance. Only the plastic work in the last step of pouring may differ.
 STEP = 1e-4
-#: Settings of a plate for which the closed form of the impact is valid.
+#: Required values of settings for target plate. With them, each shot hits the plate once, without
+#: gravity and without contact with other shots.
 PLATE = {"shot_layers": 1, "gravitational_acceleration": 0, "bed_layers": 0, "filling": 0}
 
 
@@ -42,7 +44,7 @@ class BedImpact(GranularDeck):
             {"target": "bed", "side": 4, "shot_layers": 1, "bed_layers": 5, "duration": 0.02}
             | {"rows": 40},
             start={"filling": 0.002, "duration": 0.002},
-            # The bed amplifies round-off, so continued runs agree only to this tolerance.
+            # Impacts in the bed amplify round-off, so continued runs agree only to this tolerance.
             restart=1e-6,
         ),
     }
@@ -85,10 +87,12 @@ class BedImpact(GranularDeck):
                 )
 
     def shots(self, grains: pd.DataFrame) -> pd.DataFrame:
-        """Return the measured speeds of each shot, and its predicted rebound on a plate [m/s].
+        """Return the measured speeds and the predicted rebound speed of each shot [m/s].
+
+        The prediction is that of the law for a central impact on a plate.
 
         Args:
-            grains: Rows of `read_grains_dump`, of bed and shots.
+            grains: Table of `read_grains_dump`; the rows of the bed come before those of the shots.
         """
         shot = measure_shots(
             grains.iloc[int(self.derived("bed")) :], self.radius, self.gravitational_acceleration
@@ -99,7 +103,7 @@ class BedImpact(GranularDeck):
 
     def analyse(self, series: pd.DataFrame) -> Analysis:
         """Analyse the impact part of the run; arguments as for `BulkDeck.analyse`."""
-        table = since_first(series)  # time and energies since the start of the shots
+        table = since_first(series)  # count time and energies from the start of the shots
         grains = read_grains_dump(self.output / "grains.dump")
         shot = self.shots(grains)
         sum_over_grains, total = grains["plastic_work"].sum(), table["plastic"].iloc[-1]
@@ -131,7 +135,8 @@ def plate_checks(shot: pd.DataFrame, mass: float, dissipated: pd.Series) -> list
     Args:
         shot: Columns of `measure_shots`, and `rebound_predicted` [m/s].
         mass: Mass of a shot [kg].
-        dissipated: Total energy dissipated by yielding and viscosity [J].
+        dissipated: Energy dissipated by yielding and viscous damping since the start of
+            the shots [J], one value per log line.
     """
     predicted, impact = shot["rebound_predicted"], shot["impact_speed"]
     quantiles = np.sort(shot["rebound_speed"]) - np.sort(predicted)

@@ -10,12 +10,13 @@ from matplotlib.figure import Figure
 
 from plastigran.plot.style import COLOURS, styled, subplots
 
-#: Number of shots drawn as points; more would overlap, because all lie on one curve.
+#: Number of shots that are drawn as points. All points lie on one curve, so more points would
+#: overlap.
 SHOWN = 30
 
 
 def plate_figure(shot: pd.DataFrame) -> Figure:
-    """Draw the restitution of shots on the curve of the law, and distributions of speed.
+    """Draw the restitution of shots and of the law, and the distributions of the speeds.
 
     Args:
         shot: Columns impact_speed, rebound_speed, rebound_predicted [m/s], one row per shot.
@@ -40,11 +41,11 @@ def plate_figure(shot: pd.DataFrame) -> Figure:
 
 
 def bed_figure(shot: pd.DataFrame, by_depth: pd.DataFrame, diameter: float) -> Figure:
-    """Draw the ratio of rebound to impact speed with that on a plate, and plastic work by depth.
+    """Draw rebound speed / impact speed, with the curve of the law on a plate, and work by depth.
 
     Args:
         shot: Columns impact_speed, rebound_speed, rebound_predicted [m/s], one row per shot.
-        by_depth: Columns depth [m], plastic_work [J], one row per layer.
+        by_depth: Columns depth [m] and plastic_work [J], one row per layer of the bed.
         diameter: Grain diameter [m].
     """
     with styled():
@@ -61,7 +62,11 @@ def bed_figure(shot: pd.DataFrame, by_depth: pd.DataFrame, diameter: float) -> F
 
 
 def _restitution(axes: Axes, ordered: pd.DataFrame, shown: pd.DataFrame) -> None:
-    """Draw the selected shots as points, and the law as a line. `ordered` is sorted by speed."""
+    """Draw rebound speed / impact speed of shots and of the law.
+
+    `shown` has the shots that are drawn as points. `ordered` has all shots, sorted by impact speed,
+    for the line of the law.
+    """
     speed, points = shown["impact_speed"], {"color": COLOURS[1], "mfc": "none", "ms": 5}
     axes.plot(speed, shown["rebound_speed"] / speed, "o", alpha=0.8, label="shot", **points)
     speed, line = ordered["impact_speed"], {"color": COLOURS[0], "lw": 1.3}

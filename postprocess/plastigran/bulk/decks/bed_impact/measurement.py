@@ -17,8 +17,9 @@ def read_grains_dump(path: str | Path) -> pd.DataFrame:
     """Read the last frame of the deck's `grains.dump`.
 
     Returns:
-        One row per grain: `id`, `z` [m], `vz` [m/s], `touching` (number of contacts), `z_before`
-            and `vz_before` (before the impact), and `plastic_work` since then [J].
+        One row per grain: `id`, height `z` [m], vertical velocity `vz` [m/s], number of contacts
+            `touching`, `z_before` and `vz_before` at the start of the shots, and `plastic_work`
+            since the start of the shots [J].
 
     Raises:
         DumpError: The file is not a dump.
@@ -33,19 +34,19 @@ def measure_shots(
 ) -> pd.DataFrame:
     """Measure the speeds at which each shot reaches and leaves the surface of the target.
 
-    The lowest shot starts a radius above the surface. Above the surface, a shot flies freely, so
-    v^2 + 2 g z is constant during the flight.
+    The gap between the lowest shot and the surface is initially one radius. Above the surface, a
+    shot flies freely, so v^2 + 2 g z is constant during the flight.
 
     Args:
-        shot: Rows of `read_grains_dump`, of the shots only.
+        shot: Rows of `read_grains_dump` that are shots.
         radius: Radius of a shot [m].
         gravitational_acceleration: Downward acceleration g [m/s^2].
 
     Returns:
-        One row per shot: `impact_speed` and `rebound_speed` [m/s], 0 for a shot that is not above
-        the surface; `plastic_work` since the start [J].
+        One row per shot: `impact_speed` [m/s], `rebound_speed` [m/s] (0 for a shot that has not
+        rebounded), and `plastic_work` since the start of the shots [J].
     """
-    surface = shot["z_before"].min() - radius  # height of the center of a shot in contact
+    surface = shot["z_before"].min() - radius  # height of the center of a touching shot
     fall = 2 * gravitational_acceleration * (shot["z_before"] - surface)
     rise = 2 * gravitational_acceleration * (shot["z"] - surface)
     speed = np.sqrt(shot["vz"] ** 2 + rise.clip(lower=0))
@@ -61,15 +62,18 @@ def measure_shots(
 
 
 def plastic_work_by_depth(grains: pd.DataFrame, surface: float, diameter: float) -> pd.DataFrame:
-    """Return the plastic work since the impact in layers one diameter thick, by current depth.
+    """Return the plastic work since the start of the shots, in layers one grain diameter thick.
+
+    The final height of a grain determines its layer.
 
     Args:
-        grains: Rows of `read_grains_dump`, of bed and shots.
+        grains: Table of `read_grains_dump`, with the grains of the bed and the shots.
         surface: Height of the top of the bed before the impact [m].
         diameter: Grain diameter [m].
 
     Returns:
-        One row per layer: `depth` of its middle below the surface [m], `plastic_work` [J].
+        One row per layer: `depth` of the middle of the layer below the surface [m], and
+        `plastic_work` [J].
     """
     layer = np.floor((surface - grains["z"]) / diameter).clip(lower=0)
     work = grains["plastic_work"].groupby(layer).sum()

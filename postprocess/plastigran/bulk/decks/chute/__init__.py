@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Deck chute: steady flow, power balance and Bagnold's velocity profile."""
+"""Deck chute: steady flow down an incline, its power balance and Bagnold's velocity profile."""
 
 from __future__ import annotations
 
@@ -19,11 +19,12 @@ from plastigran.declared import number, whole
 from plastigran.engine.dumps import read_dump
 from plastigran.physics.bagnold import Profile, fit_profile
 
-#: Allowed relative error of the work of gravity, for rows with the spacing FINE_ROWS.
+#: Largest allowed relative error of the work of gravity, for log lines with the spacing FINE_ROWS.
 WEIGHT = 2e-3
-#: Allowed fraction of the power of gravity that the flow stores, mainly as kinetic energy.
+#: Largest allowed relative difference between the dissipated power and the power of gravity. The
+#: flow stores the difference, mainly as kinetic energy.
 STEADY = 0.05
-#: Allowed rms deviation from Bagnold's profile, divided by the speed at the surface.
+#: Largest allowed root-mean-square deviation from Bagnold's profile, divided by the surface speed.
 PROFILE = 0.05
 
 #: Settings of a short run with few grains.
@@ -62,14 +63,15 @@ class Chute(FlowDeck):
         return Analysis(series, checks, {"chute": figure, **self.ledger_figure(series)})
 
     def with_weight(self, series: pd.DataFrame) -> pd.DataFrame:
-        """Return the series with potential energy and power of the weight.
+        """Add the predicted potential energy and the power of the weight to a series.
 
         Args:
-            series: Columns time [s], mass [kg], z [m] and speed [m/s] of the center of mass.
+            series: Columns time [s], mass of the grains [kg], and, for their center of mass, the
+                distance z from the base [m] and the speed along the chute [m/s].
 
         Returns:
-            The series with `gravity_predicted` [J], the change of potential energy, and
-            `weight_power` [W], m g v sin(angle).
+            The series with two further columns: `gravity_predicted`, the change of potential energy
+            since the first row [J], and `weight_power`, m g v sin(angle) [W].
         """
         angle, weight = radians(self.angle), self.gravitational_acceleration * series["mass"]
         along = cumulative_trapezoid(series["speed"], series["time"], initial=0)
@@ -80,7 +82,7 @@ class Chute(FlowDeck):
         )
 
     def power_checks(self, series: pd.DataFrame, steady: pd.DataFrame) -> list[Check]:
-        """Check the work of gravity, and compare its power with the dissipated power.
+        """Check the work of gravity, and compare the power of gravity with the dissipated power.
 
         Args:
             series: Columns time [s], gravity and gravity_predicted [J].
@@ -107,10 +109,10 @@ class Chute(FlowDeck):
 
 
 def flow_checks(steady: pd.DataFrame, profile: Profile) -> list[Check]:
-    """Check that the flow continues, with Bagnold's profile.
+    """Check that the flow does not stop and that it has Bagnold's velocity profile.
 
     Args:
-        steady: Column speed [m/s], after settling.
+        steady: Rows after settling, with the column speed [m/s].
         profile: Velocity profile after settling.
     """
     smallest = steady["speed"].min()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figure of a chute flow: grains, profile, and power of weight and dissipation."""
+"""Figure of a chute flow: grains, velocity profile, power of the weight, and dissipated power."""
 
 from __future__ import annotations
 
@@ -12,20 +12,21 @@ from plastigran.physics.bagnold import Profile
 from plastigran.plot.grains import draw_grains, mean_power
 from plastigran.plot.style import COLOURS, styled, subplots
 
-#: Averaging time of powers [s].
+#: Time over which powers are averaged [s].
 WINDOW = 0.12
 
 
 def chute_figure(
     series: pd.DataFrame, grains: pd.DataFrame, profile: Profile, settling: float
 ) -> Figure:
-    """Draw the grains of the last frame by speed, mean speed by height, and powers versus time.
+    """Draw the grains of the last frame, the mean speed versus height, and the powers versus time.
 
     Args:
         series: Columns time [s], weight_power [W], plastic, friction and viscous [J].
-        grains: Frames: columns step, x, y, z, radius [m], vx, vy, vz [m/s].
-        profile: Profile of the frames.
-        settling: Time before profile and powers are measured [s].
+        grains: Grains of several frames, with the columns step, x, y, z, radius [m], vx, vy, vz
+            [m/s].
+        profile: Mean velocity profile of these frames.
+        settling: Time at which the measurement of profile and powers starts [s].
     """
     with styled():
         figure, (bed, speeds, powers) = subplots(

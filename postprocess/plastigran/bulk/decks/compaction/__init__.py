@@ -16,10 +16,10 @@ from plastigran.declared import number, require, whole
 from plastigran.physics.heckel import TOUCH, Loop, measure_loop, punch_work
 from plastigran.plot.style import title
 
-#: Allowed relative error of the work of the punch, integrated over 100 rows. The error is
-#: proportional to the square of the row spacing.
+#: Largest allowed relative error of the work of the punch, integrated over 100 log lines. The error
+#: is proportional to the square of the time between log lines.
 HUNDRED_ROWS = 2e-3
-#: Largest ratio of kinetic to elastic energy of a quasi-static stroke.
+#: Largest ratio of kinetic to elastic energy at which a stroke counts as quasi-static.
 SLOW = 0.02
 #: Pressure / peak pressure above which the bed counts as loaded.
 LOADED = 0.2
@@ -31,9 +31,9 @@ BRIEF |= {"checkpoints": 10, "relative_density": 0.7, "release": 0.25}
 
 @attrs.frozen(kw_only=True)
 class Compaction(GranularDeck):
-    """Compression of grains in a die by a punch, and release."""
+    """Compression of grains in a die by a punch, which then moves up again."""
 
-    # The bed amplifies round-off a thousandfold, so continued runs agree only to this tolerance.
+    # Contacts in the bed amplify round-off, so continued runs agree only to this tolerance.
     briefs: ClassVar = {
         "": Brief(
             BRIEF,
@@ -44,7 +44,8 @@ class Compaction(GranularDeck):
 
     die_radius: float = number("radius of the die and the punch", "m", 0)
     layers: int = whole("layers of poured grains, on a cubic lattice", 3)
-    # Range: 0.5236 for spheres on a cubic lattice, 1 for a die filled by flattened grains.
+    # The lower bound is the density of spheres on a cubic lattice. At the upper bound, flattened
+    # grains would fill the die without pores.
     relative_density: float = number(
         "relative density below the punch at its lowest point", "-", 0.5236, 1
     )
@@ -77,11 +78,11 @@ class Compaction(GranularDeck):
         return Analysis(table, checks, {"compaction": figure, **self.ledger_figure(table)})
 
     def stroke(self, series: pd.DataFrame) -> pd.DataFrame:
-        """Return the log of the stroke, with measured quantities.
+        """Return the log of the stroke of the punch, with measured quantities.
 
         Args:
-            series: Columns time [s], height of the punch [m], force on it [N], and energy terms
-                [J].
+            series: Columns time [s], height of the punch [m], force on the punch [N], and energy
+                terms [J].
 
         Returns:
             The log with `time` [s] and energy terms counted from the start of the stroke, and
@@ -96,7 +97,7 @@ class Compaction(GranularDeck):
 
 
 def energy_checks(table: pd.DataFrame, loop: Loop) -> list[Check]:
-    """Compare the work of the punch with the energy balance, and check that the stroke is slow."""
+    """Check the work of the punch, and that the stroke is quasi-static."""
     loaded = table[table["pressure"] > LOADED * loop.pressure]
     difference = (table["wallwork"] - table["punch_work"]).abs().max() / table["wallwork"].max()
     return [

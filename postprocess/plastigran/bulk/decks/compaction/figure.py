@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figure of die compactions: pressure versus relative density, and Heckel's plot of loading."""
+"""Figure of die compactions: pressure versus relative density, and Heckel's plot of the loading."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from plastigran.plot.style import COLOURS, styled, subplots
 
 
 def compaction_figure(runs: dict[str, pd.DataFrame], yield_strengths: list[float]) -> Figure:
-    """Draw loops of loading and unloading, and loading in Heckel's plot with his line.
+    """Draw pressure versus relative density, and Heckel's plot of the loading with fitted lines.
 
     Args:
         runs: Tables by label: columns relative_density [-] and pressure [Pa], in order of time.
-        yield_strengths: Yield strength of the grains of each run [Pa], for the slope
-            1/(3 sigma_Y); elastic grains have no line.
+        yield_strengths: Yield strength sigma_Y of the grains of each run [Pa]. A dashed line shows
+            the slope 1/(3 sigma_Y), unless this slope is almost zero.
     """
     with styled():
         figure, (loops, heckel) = subplots(1, 2, figsize=(9.2, 4.0))

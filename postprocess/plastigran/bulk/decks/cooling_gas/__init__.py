@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Deck cooling_gas: freely cooling gas, compared with mean-field theory for the law."""
+"""Deck cooling_gas: freely cooling granular gas, compared with mean-field theory."""
 
 from __future__ import annotations
 
@@ -19,11 +19,12 @@ from plastigran.physics import central
 from plastigran.physics.kinetic_theory import FREEZING, Gas, cool, law_restitution
 from plastigran.plot.style import title
 
-#: Allowed error of mean-field theory; up to 7 % was measured (docs/decks/cooling_gas.md).
+#: Largest allowed relative error of mean-field theory. The largest measured error is 7 %
+#: (docs/decks/cooling_gas.md).
 MEAN_FIELD = 0.08
-#: Allowed statistical deviation, in standard deviations.
+#: Largest allowed statistical deviation of the temperature, in standard deviations.
 DEVIATIONS = 4
-#: Model options that do not change the restitution, in addition to those of the law.
+#: Further model options that are allowed, because they do not change the restitution.
 HARMLESS = ("tangential_damping", "energy_ledger", "overlap_limit")
 
 #: Settings of a short run with few grains.
@@ -46,7 +47,7 @@ class CoolingGas(BulkDeck):
     volume_fraction: float = number("volume fraction of the grains", "-", 0, FREEZING)
     temperature: float = number("initial variance of the velocity in each direction", "m^2/s^2", 0)
     mixing: float = number("elastic impacts per grain before the measurement", "-", 0)
-    # The settings marked as continuable let a continued run end later, with other log steps.
+    # A continued run may change these settings, so that it ends later or has more log lines.
     duration: float = continuable(
         number("duration / mean time between impacts of a grain at the start", "-", 0)
     )
@@ -75,7 +76,7 @@ class CoolingGas(BulkDeck):
         return None if speed is None else speed**2
 
     def gas(self) -> Gas:
-        """Gas with the restitution of the law, tabulated for all relevant speeds."""
+        """Return the gas; its restitution is that of the law, tabulated for all relevant speeds."""
         grains, thermal = self.grains, self.temperature**0.5
         speeds = (1e-4 * thermal, 20 * thermal)
         restitution = law_restitution(grains.contact_law(), grains.radius, grains.mass, speeds)
@@ -123,12 +124,14 @@ class CoolingGas(BulkDeck):
         return Analysis(series, checks, {"cooling_gas": course, **self.ledger_figure(series)})
 
     def stored_share(self, gas: Gas) -> float:
-        """Return a bound on the fraction of kinetic energy that impacts store at the start [-].
+        """Return an upper bound of the elastic energy / kinetic energy at the start [-].
 
-        Of N grains, N s/2 pairs touch, where s is the collision rate times the elastic duration of
-        the mean impact. The energy m g^2/4 of an impact is exponentially distributed with mean m T,
-        and about half of it is stored at a given time. The total kinetic energy is 3/2 N m T. The
-        mean fraction is s/6, with a standard deviation of s^(1/2)/(3 N^(1/2)).
+        Of N grains, N s/2 pairs are in contact at a given time. s is the collision rate of a grain
+        times the duration of an elastic impact at the mean speed. The energy m g^2/4 of an impact
+        at the closing speed g is exponentially distributed with mean m T. About half of this energy
+        is stored at a given time. The total kinetic energy is 3/2 N m T. The mean fraction is
+        therefore s/6, with a standard deviation of s^(1/2)/(3 N^(1/2)). The bound adds `DEVIATIONS`
+        standard deviations to the mean.
         """
         grains = self.grains
         modulus, speed = grains.pair.youngs_modulus_eff, (pi * self.temperature) ** 0.5

@@ -14,14 +14,14 @@ from plastigran.plot.style import COLOURS, MARKERS, styled, subplots
 def cooling_figure(
     runs: dict[str, pd.DataFrame], stall: float | None, cooling_rate: float | None = None
 ) -> Figure:
-    """Draw points from LIGGGHTS and lines of mean-field theory, and below their ratio.
+    """Draw temperatures from LIGGGHTS (points) and mean-field theory (lines), and their ratio.
 
     Args:
         runs: Tables by label: columns time [s], temperature, temperature_predicted [m^2/s^2] and
             temperature_error [-].
-        stall: v_Y^2 [m^2/s^2]; None for a law without yield.
-        cooling_rate: -d ln T/dt at the start [1/s], for the curve of a constant restitution; None
-            for no curve.
+        stall: Square of the yield speed v_Y of two grains [m^2/s^2]; None for a law without yield.
+        cooling_rate: Cooling rate -d ln T/dt at the start [1/s], for the curve of a gas with
+            constant restitution. None omits this curve.
     """
     with styled():
         figure, (axes, below) = subplots(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Deck drum: angle of repose in a rotating drum, and work of the wall."""
+"""Deck drum: angle of repose of a bed in a rotating drum, and work of the rotating wall."""
 
 from __future__ import annotations
 
@@ -21,13 +21,15 @@ from plastigran.engine.dumps import read_dump
 from plastigran.engine.spectra import QUANTITIES, partner_spectra, read_spectra
 from plastigran.plot.spectra import spectra_figure
 
-#: Angle at which a sphere without friction leaves the hollow between three others [degrees].
+#: Inclination at which a frictionless sphere leaves the hollow between three equal spheres
+#: [degrees].
 HOLLOW = degrees(atan(8**-0.5))
-#: Allowed relative difference between the work of the wall and the work from the torque of gravity,
-#: for rows with the spacing FINE_ROWS. The difference exists because friction acts on a grain half
-#: an overlap beyond the wall surface.
+#: Largest allowed relative difference between the work of the wall and the work predicted from the
+#: torque of gravity, for log lines with the spacing FINE_ROWS. They differ because friction acts on
+#: a grain half an overlap beyond the wall surface.
 LEVER_ARM = 2e-3
-#: Allowed fraction of the work that the oscillating bed stores, mainly as potential energy.
+#: Largest allowed relative difference between the work of the wall and the dissipated energy. The
+#: oscillating bed stores the difference, mainly as potential energy.
 STEADY = 0.05
 
 #: Settings of a short run with few grains.
@@ -55,7 +57,7 @@ class Drum(FlowDeck):
     def check(self) -> None:
         largest = (1 + self.size_spread) * self.radius
         require(self, "drum_radius", lower=4 * largest)
-        # The mesh of the shell is as long as its radius.
+        # The length of the shell mesh equals the drum radius.
         require(self, "length", lower=4 * largest, upper=self.drum_radius)
         if self.law == "hertz" and self.spectra == "on":
             raise ValueError("spectra is on, but LIGGGHTS' own hertz has none. Set spectra=off")
@@ -68,7 +70,7 @@ class Drum(FlowDeck):
 
     @property
     def settled(self) -> float:
-        """Time before angle and power are measured [s]."""
+        """Time at which the measurement of angle and power starts [s]."""
         return 2 * pi / self.angular_velocity * self.settling
 
     def analyse(self, series: pd.DataFrame) -> Analysis:
@@ -89,16 +91,17 @@ class Drum(FlowDeck):
         return Analysis(series, checks, {**figures, **self.ledger_figure(series)})
 
     def with_angle(self, series: pd.DataFrame) -> pd.DataFrame:
-        """Return the series with revolutions, the angle of the bed, and the work of the wall.
+        """Add the revolutions, the angle of the bed and the predicted work of the wall to a series.
 
         Args:
-            series: Columns time [s], mass [kg], x, z [m] of the center of mass, and momentum, the
-                angular momentum about the axis [kg m^2/s].
+            series: Columns time [s], mass of the bed [kg], coordinates x and z of its center of
+                mass [m], and momentum, the angular momentum of the bed about the axis [kg m^2/s].
 
         Returns:
             The series with `revolutions`, `angle` and `wallwork_predicted`. The angle [degrees] is
-            the inclination of the line from the axis to the center of mass. The work [J] is done by
-            the torque that balances the weight and changes the angular momentum of the bed.
+            measured from the vertical to the line from the axis to the center of mass. The
+            predicted work [J] is that of a torque which balances the torque of gravity and changes
+            the angular momentum of the bed.
         """
         torque = self.gravitational_acceleration * series["mass"] * series["x"]
         impulse = cumulative_trapezoid(torque, series["time"], initial=0)
@@ -113,7 +116,7 @@ class Drum(FlowDeck):
         """Check that the mean angle is above zero and below the largest angle that friction allows.
 
         Args:
-            steady: Column angle [degrees], after settling.
+            steady: Rows after settling, with the column angle [degrees].
         """
         angle = steady["angle"].mean()
         return [
@@ -132,10 +135,11 @@ class Drum(FlowDeck):
         ]
 
     def power_checks(self, series: pd.DataFrame, steady: pd.DataFrame) -> list[Check]:
-        """Compare the work of the wall with the torque of the weight and with the dissipation.
+        """Compare the work of the wall with the gravity torque and with the dissipated energy.
 
-        With rolling friction, the comparison with the torque is omitted. LIGGGHTS computes rolling
-        friction as if the wall did not rotate: a torque on the grains without work of the wall.
+        The comparison with the gravity torque is omitted for decks with rolling friction. LIGGGHTS
+        computes rolling friction as if the wall did not rotate. Rolling friction then acts on the
+        grains, but is missing in the work of the wall.
 
         Args:
             series: Columns time [s], wallwork, wallwork_predicted [J].

@@ -12,21 +12,23 @@ from plastigran.bulk.checks import dissipated
 from plastigran.plot.grains import draw_grains, mean_power
 from plastigran.plot.style import COLOURS, styled, subplot_mosaic
 
-#: Averaging window of powers in revolutions; avalanches are shorter.
+#: Time over which powers are averaged [revolutions]. Avalanches are shorter.
 WINDOW = 0.05
 
 
 def drum_figure(
     series: pd.DataFrame, grains: pd.DataFrame, drum_radius: float, settling: float
 ) -> Figure:
-    """Draw the bed as seen along the axis, its angle, and the powers of wall, weight and bed.
+    """Draw the bed as seen along the axis, the angle of the bed, and the powers versus time.
+
+    The powers are those of the wall, of the torque of gravity and of dissipation in the bed.
 
     Args:
         series: Columns time [s], revolutions, angle [degrees], and works [J]: wallwork,
             wallwork_predicted, plastic, friction, viscous.
         grains: Columns x, y, z, radius [m], vx, vz [m/s] at one time.
         drum_radius: Radius of the drum [m].
-        settling: Time before angle and power are measured [s].
+        settling: Time at which the measurement of the angle starts [s].
     """
     steady = series[series["time"] >= settling]
     angle = steady["angle"].mean()
@@ -70,7 +72,7 @@ def _draw_powers(axes, series) -> None:
     every = max(1, round(WINDOW / 2 / series["revolutions"].iloc[1]))
     points = {"color": COLOURS[0], "mfc": "white", "ms": 4}
     axes.plot(turns, wall, color=COLOURS[0], label="wall")
-    axes.plot(turns[::every], lever[::every], "o", label="lever arm of the weight", **points)
+    axes.plot(turns[::every], lever[::every], "o", label="torque of the weight", **points)
     axes.plot(turns, total, color=COLOURS[1], lw=1, label="dissipated in the bed")
     axes.plot(turns, plastic, color=COLOURS[1], lw=1, ls=":", label="by yielding")
     # Without energy balance, the work of the wall is unknown: let matplotlib choose the limit.

@@ -16,12 +16,13 @@ from plastigran.declared import number, whole
 from plastigran.engine.process import inputs_folder
 from plastigran.physics.beverloo import BLOCKS, STEADY_SHARE, Discharge, measure_discharge
 
-#: Allowed difference between the rates of the two halves of the discharge, in standard deviations.
+#: Largest allowed difference between the rates of the two halves of the steady discharge, in
+#: standard deviations.
 DEVIATIONS = 4
-#: Allowed additional relative change of the rate while the filling level falls. With 2080 grains,
-#: the measured mean is 4.5 % (docs/decks/hopper.md).
+#: Relative change of the rate that is allowed in addition, because the filling level falls. The
+#: mean change with 2080 grains is 4.5 % (docs/decks/hopper.md).
 LEVEL = 0.05
-#: Remark for a run without steady discharge.
+#: Note about a run without steady discharge.
 UNMEASURED = (
     f"the discharge rate was not measured. The run ended before {STEADY_SHARE:.0%} of the "
     f"grains were out, it has fewer than {2 * BLOCKS} rows until then, or its bed is too shallow. "
@@ -71,7 +72,7 @@ class Hopper(GranularDeck):
             )
 
     def discharge(self, series: pd.DataFrame) -> Discharge | None:
-        """Return the steady discharge after the opening of the orifice, or None without one."""
+        """Return the steady part of the discharge, or None if no part is steady."""
         orifice, diameter = float(self.orifice) * 2 * self.radius, 2 * self.radius
         bed = orifice, diameter, self.density, self.gravitational_acceleration
         return measure_discharge(series, *bed, self.beverloo_coefficient, self.empty_annulus)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figure of a hopper: discharged mass versus time, and rate versus orifice diameter."""
+"""Figures of a hopper: discharged mass versus time, and discharge rate versus orifice diameter."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ def discharge_figure(series: pd.DataFrame, discharge: Discharge | None, mass: fl
 
     Args:
         series: Columns time [s] and counted, the number of discharged grains.
-        discharge: Steady discharge of the run, or None.
+        discharge: Steady part of the discharge, or None if no part is steady.
         mass: Mass of a grain [kg].
     """
     with styled():
@@ -49,7 +49,7 @@ def orifices_figure(runs: list[tuple[pd.DataFrame, Discharge, float]]) -> Figure
     """Draw discharged mass versus time for several orifices, and rate^(2/5) versus diameter.
 
     Args:
-        runs: Series, discharge and mass of a grain [kg] for three or more orifices.
+        runs: Series, steady discharge and mass of a grain [kg], for three or more orifices.
     """
     discharges = [discharge for _, discharge, _ in runs]
     fit, law = fit_constants(discharges), discharges[0]
@@ -88,7 +88,7 @@ def _draw_course(
     colour: str,
     label: str,
 ) -> None:
-    """Draw discharged mass versus time, with a thick line where the rate is measured."""
+    """Draw discharged mass versus time, with a thick line while the rate is measured."""
     out = mass * series["counted"]
     axes.plot(series["time"], out, color=colour, lw=1, label=label)
     if discharge:

@@ -48,7 +48,7 @@ class MixingDrum(GranularDeck):
 
     def check(self) -> None:
         """Check that the grains fit into the drum."""
-        # The mesh of the shell is as long as its radius.
+        # The length of the shell mesh equals the drum radius.
         require(self, "length", lower=4 * self.large_radius, upper=self.drum_radius)
         require(self, "drum_radius", lower=4 * self.large_radius)
         if sum(self.areas) > pi * self.drum_radius**2:
@@ -69,14 +69,14 @@ class MixingDrum(GranularDeck):
 
     @property
     def areas(self) -> tuple[float, float]:
-        """Cross sections of the layers of large and of small grains [m^2]."""
+        """Cross-sectional areas of the layers of large grains and of small grains [m^2]."""
         large = self.large_count * 4 / 3 * pi * self.large_radius**3
         small = self.grain_count * 4 / 3 * pi * self.radius**3
         whole_length = self.volume_fraction * self.length
         return large / whole_length, small / whole_length
 
     def level(self, area: float) -> float:
-        """Return the height above the axis to which a cross section fills the drum [m]."""
+        """Return the height of the bed surface above the axis [m] for a cross-sectional area."""
         radius = self.drum_radius
         angle = brentq(lambda a: radius**2 / 2 * (a - sin(a)) - area, 0, 2 * pi)
         return -radius * cos(angle / 2)
@@ -101,7 +101,10 @@ class MixingDrum(GranularDeck):
         )
 
     def _reach(self, radius: float) -> float:
-        """Return the largest distance of a grain from the axis, inside the facets [m]."""
+        """Return the largest distance of the center of a grain from the axis [m].
+
+        The factor 0.98 keeps grains inside the flat facets of the shell mesh.
+        """
         return 0.98 * self.drum_radius - radius
 
     def _layer(
@@ -113,8 +116,8 @@ class MixingDrum(GranularDeck):
 
         def confine(places: np.ndarray) -> np.ndarray:
             x, y, z = places.T
-            # Move outer grains toward the axis, so that they slide along the shell. Then move those
-            # that this has moved out of the layer.
+            # Move outer grains toward the axis, so that they slide along the shell. Then move
+            # grains back into the layer if the first move has taken them out of it.
             inward = np.minimum(1, reach / np.maximum(np.hypot(x, z), 1e-300))
             z = np.clip(inward * z, bottom, top)
             width = np.sqrt(reach**2 - z**2)

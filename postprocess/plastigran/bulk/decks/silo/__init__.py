@@ -24,16 +24,16 @@ BARREL, TOP = 0.1, 0.3
 ORIFICES = {"large": 0.03, "small": 0.02}
 #: Depth below the orifice at which grains are deleted [m].
 FALL = 0.05
-#: Fraction of the grains below which the rate is not measured, because the surface is near the
-#: orifice.
+#: The discharge rate is measured while at least this fraction of the grains is in the silo. Later,
+#: the surface is near the orifice.
 REST = 0.1
-#: Smallest number of rows for a rate.
+#: Smallest number of log lines to which the discharge rate is fitted.
 ROWS = 10
 
 
 @attrs.frozen(kw_only=True)
 class Silo(GranularDeck):
-    """Grains flow out of a barrel on a cone of 45 degrees."""
+    """Grains flow out of a silo, which consists of a barrel on a 45-degree cone."""
 
     balance_limit: ClassVar = BENCHMARK_BALANCE
     briefs: ClassVar = {
@@ -66,7 +66,8 @@ class Silo(GranularDeck):
         """Height of the initial surface above the orifice [m]."""
         volume = self.grain_count * 4 / 3 * pi * self.radius**3 / self.volume_fraction
         opening = ORIFICES[self.orifice]
-        # In the cone, the radius is the height plus the radius of the orifice.
+        # The radius of the cone at a height above the orifice is that height plus the orifice
+        # radius.
         height = (3 * volume / pi + opening**3) ** (1 / 3) - opening
         if height <= BARREL - opening:
             return height
@@ -74,7 +75,7 @@ class Silo(GranularDeck):
         return BARREL - opening + (volume - cone) / (pi * BARREL**2)
 
     def write_inputs(self, folder: Path) -> None:
-        """Write the filling to `grains.data`."""
+        """Write the initial positions of the grains to `grains.data`."""
         opening, height, count = ORIFICES[self.orifice], self.filling_height, self.grain_count
         radius = self.radius
 

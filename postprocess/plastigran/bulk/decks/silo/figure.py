@@ -13,9 +13,9 @@ def silo_figure(series: pd.DataFrame, rate: float | None, settling: float) -> Fi
     """Draw the number of grains in the silo versus time, with the discharge rate as a line.
 
     Args:
-        series: Columns time [s] and held.
-        rate: Discharge rate [grains/s], or None.
-        settling: Time from which the rate was measured [s].
+        series: Columns time [s] and held, the number of grains in the silo.
+        rate: Discharge rate [grains/s], or None if the rate was not measured.
+        settling: Time at which the measurement of the rate starts [s].
     """
     with styled():
         figure, axes = subplots(figsize=(5.4, 3.8))

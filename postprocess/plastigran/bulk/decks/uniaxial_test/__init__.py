@@ -28,14 +28,15 @@ from plastigran.declared import number, require, whole, word
 from plastigran.plot.style import title
 from plastigran.usable_laws import laws_for
 
-#: Laws with constants that are settings of this deck.
+#: Laws with adhesion whose constants are settings of this deck.
 ADHESIVE_LAWS = ("edinburgh_2014", "luding_2008")
-#: Allowed relative difference between the stress at the end of consolidation and its setting.
+#: Largest allowed relative difference between the stress at the end of consolidation and the
+#: setting `consolidation_stress`.
 REACHED = 0.01
-#: Largest allowed kinetic / elastic energy of a sample at rest.
+#: Largest ratio of kinetic to elastic energy at which a sample counts as being at rest.
 SLOW = 0.02
-#: Allowed relative error of the work of the platen, integrated over 400 rows. The error is
-#: proportional to the square of the row spacing.
+#: Largest allowed relative error of the work of the platen, integrated over 400 log lines. The
+#: error is proportional to the square of the time between log lines.
 WORK = 2e-3
 
 #: Settings of a short run with few grains.
@@ -96,7 +97,7 @@ class UniaxialTest(GranularDeck):
 
     @property
     def grains(self) -> Grains:
-        """Grains of mean radius, with the constants of the law that are settings."""
+        """Grains of mean radius; the constants of `ADHESIVE_LAWS` are taken from the settings."""
         grains = super().grains
         grains.options.update(self.constants.get(self.law, {}))
         return grains
@@ -146,8 +147,8 @@ class UniaxialTest(GranularDeck):
         """Return the log of the test, with measured quantities.
 
         Args:
-            series: Columns step, time [s], velocity of the platen [m/s], mean force on it [N], and
-                energy terms [J].
+            series: Columns step, time [s], velocity of the platen [m/s], mean force on the platen
+                [N], and energy terms [J].
 
         Returns:
             The log with `time` [s] and energy terms counted from the end of filling, and stage (see
@@ -181,22 +182,22 @@ def results(strength: Strength) -> dict[str, float]:
 
 
 def notes(table: pd.DataFrame, strain: float) -> list[str]:
-    """Return a note if the sample was not freed, or not compressed to the set strain."""
+    """Return a note if the sample was not freed, or was not compressed to the setting `strain`."""
     reached = table["strain"].iloc[-1]
     if isnan(reached):
         return ["the strength was not measured, because the platen did not leave. Raise release"]
     if reached >= strain:
         return []
     return [
-        f"the sample was compressed to a strain of {reached:.3g}, not {strain:g}, because it is "
-        "higher than expected. Raise strain"
+        f"the sample was compressed to a strain of {reached:.3g}, not {strain:g}, because the "
+        "sample is higher than expected. Raise strain"
     ]
 
 
 def energy_checks(table: pd.DataFrame) -> list[Check]:
     """Compare the platen's work with the energy balance; check that consolidation ends at rest.
 
-    The stage in which the mold opens is omitted, because the mold does work.
+    The comparison excludes the stage in which the mold opens, because then the mold does work.
     """
     rest = table[table["stage"] == Stage.CONSOLIDATION].iloc[-1]
     moved = table["stage"] != Stage.OPENING

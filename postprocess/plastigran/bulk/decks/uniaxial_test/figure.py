@@ -14,8 +14,8 @@ def uniaxial_figure(runs: dict[str, tuple[pd.DataFrame, Strength]]) -> Figure:
     """Draw the stress of the platen in the mold and on the free sample.
 
     Args:
-        runs: By label, a table with columns stage, strain, stress [Pa] and porosity [-], and the
-            strength.
+        runs: For each label, a table with the columns stage, strain [-], stress [Pa] and porosity
+            [-], and the strength of the sample.
     """
     with styled():
         figure, (mold, free) = subplots(1, 2, figsize=(9.2, 3.8))
@@ -56,7 +56,7 @@ def flow_function_figure(table: pd.DataFrame) -> Figure:
         flow.set(xlabel="consolidation stress (kPa)", ylabel="unconfined yield strength (kPa)")
         flow.set(xlim=(0, 1.05 * largest), ylim=(0, None))
         top = flow.get_ylim()[1]
-        for ratio in (1, 2, 4, 10):  # Jenike's limits
+        for ratio in (1, 2, 4, 10):  # Jenike's limits of flowability
             end = min(largest, ratio * top)
             flow.plot([0, end], [0, end / ratio], ":", color="0.6", lw=1)
             flow.annotate(f"1/{ratio}" if ratio > 1 else "1", (end, end / ratio), color="0.4")

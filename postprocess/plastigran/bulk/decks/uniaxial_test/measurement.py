@@ -29,9 +29,9 @@ class Strength:
     Attributes:
         consolidation: Stress at the end of consolidation [Pa].
         porosity: Porosity at the end of consolidation [-].
-        unconfined: Unconfined yield strength, the peak stress of the free sample [Pa]; NaN if it
-            was not compressed.
-        failure_strain: Strain at the peak [-].
+        unconfined: Unconfined yield strength, the peak stress of the free sample [Pa]; NaN if the
+            sample was not compressed.
+        failure_strain: Strain at the peak stress [-].
     """
 
     consolidation: float
@@ -50,7 +50,7 @@ def stage_of(step: pd.Series, ends: list[float]) -> pd.Series:
 
     Args:
         step: Steps of the rows.
-        ends: Last steps of all stages but the last one.
+        ends: Last step of each stage, except the last stage.
     """
     return pd.Series(np.searchsorted(ends, step), index=step.index)
 
@@ -60,7 +60,7 @@ def platen_height(table: pd.DataFrame, start: float) -> np.ndarray:
 
     Args:
         table: Columns time [s], velocity of the platen [m/s] and stage.
-        start: Height at the first row [m].
+        start: Height of the platen in the first row [m].
     """
     time, velocity = table["time"].to_numpy(), table["velocity"].to_numpy()
     before = velocity[:-1].copy()
@@ -103,7 +103,7 @@ def measure_strength(table: pd.DataFrame, strain: float) -> Strength:
 
     Args:
         table: Columns stage, stress [Pa], porosity and strain of the free sample [-].
-        strain: Strain up to which the peak stress is taken [-].
+        strain: Largest strain at which the peak stress may occur [-].
     """
     consolidated = table[table["stage"] == Stage.CONSOLIDATION].iloc[-1]
     tested = table[(table["stage"] == Stage.COMPRESSION) & table["strain"].between(0, strain)]
