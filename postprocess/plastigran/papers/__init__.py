@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Reproduced papers: one module or package per paper, see `plastigran.papers.base`."""
+"""Reproductions of papers: one module or package per paper, see `plastigran.papers.base`."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def find_paper(name: str, folder: Path | None = None, **options: object) -> Pape
     """Return a paper by its short name.
 
     Args:
-        name: Short name.
+        name: Short name of the paper.
         folder: Folder of the bulk runs of a benchmark; by default results/NAME.
         options: Options of a benchmark with cases; see `plastigran.papers.dosta24.paper`.
 

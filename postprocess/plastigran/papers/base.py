@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Declaration of a reproduced paper, and parts that several papers use.
+"""Declaration of a reproduced paper, and functions that several papers use.
 
     PAPER = declare(
         name="zv02",
@@ -10,11 +10,12 @@
         figures=(figures.restitution_figure,),
     )
 
-`compute(progress, coarse)` returns the data; see `Evidence.run`. Each table, figure and movie is a
-function of the data. The name of the function, without `_figure` or `_movie`, is the name of the
-result; see also `plastigran.report.base.Findings`.
+`compute(progress, coarse)` returns the computed data; see `Evidence.run`. Each table, figure and
+movie is made by a function that takes these data. The name of this function, without `_figure` or
+`_movie`, is the name of the result; see also `plastigran.report.base.Findings`.
 
-`plastigran.papers` finds `PAPER` in each module or package. The page is docs/papers/NAME.md.
+`plastigran.papers` finds `PAPER` in each module or package. docs/papers/NAME.md is the page of the
+paper.
 """
 
 from __future__ import annotations
@@ -91,9 +92,10 @@ def _name(function: Callable) -> str:
 
 
 def run_impacts(*arguments: Any, **options: Any) -> Runs:
-    """Run impacts in LIGGGHTS as `collide` does, without warnings of the range of a law.
+    """Run impacts in LIGGGHTS as `collide` does, without warnings about the range of a law.
 
-    The speeds are those of the paper, and its page states the error of each law.
+    Warnings would not help, because the paper sets the speeds. The page of the paper states the
+    error of each law.
     """
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", RangeWarning)
@@ -115,10 +117,10 @@ def draw_stress(
     Args:
         axes: Axes to draw in.
         snapshot: Fields of the finite elements.
-        strength: Flow stress, Pa.
-        origin: Coordinates of the point that becomes the origin (2,), m.
-        scale: Length of the axes per m.
-        zone_edge: Plastic strain at the edge of the zone.
+        strength: Flow stress of the material, Pa.
+        origin: Coordinates (2,) of the point that the picture shows at the origin, m.
+        scale: Length on the axes that represents 1 m.
+        zone_edge: Plastic strain at the edge of the plastic zone.
         mirror: Whether to repeat the field at negative first coordinates.
     """
     vertices = scale * (snapshot.vertices + snapshot.displacement - origin)

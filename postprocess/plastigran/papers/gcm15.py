@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The oblique rod of Ghaednia, Cermik & Marghitu 2015: experiments and nine contact laws."""
+"""Oblique impacts of a rod (Ghaednia, Cermik & Marghitu 2015): experiments and nine laws."""
 
 from __future__ import annotations
 
@@ -34,7 +34,8 @@ LAWS = [
     "thornton",
 ]
 MEASURED = MeasuredRun()
-#: Quantities in which LIGGGHTS is compared with the equations of motion: their column names.
+#: Columns that are compared between LIGGGHTS and the equations of motion, with their names in
+#: words.
 COMPARED = {
     "coefficient_of_restitution": "restitution",
     "angular_velocity": "angular velocity",
@@ -42,14 +43,15 @@ COMPARED = {
     "overlap_res": "permanent deformation",
     "contact_time": "time of contact",
 }
-#: Stronge's law with unloading at the original radius, a possible interpretation of the paper.
+#: Column of Stronge's law with unloading at the original radius. The paper may have used this
+#: variant of the law.
 OTHER_STRONGE = "stronge, original radius"
 
 
 def compute(progress: bool, coarse: bool) -> Runs:
     """Compute every law at both angles, in LIGGGHTS and by the equations of motion.
 
-    As in the paper, friction is mu F as soon as the tip slides.
+    As in the paper, friction has no spring: it is mu F as soon as the tip slides.
     """
     speeds = (-MEASURED.velocity_before,) if coarse else PAPER_SPEEDS
     with TemporaryDirectory() as folder:
@@ -59,7 +61,7 @@ def compute(progress: bool, coarse: bool) -> Runs:
 
 
 def restitution(runs: Runs) -> pd.DataFrame:
-    """Return the restitution of the tip's normal velocity, computed and from the experiments."""
+    """Return the restitution of the normal velocity of the tip: experiments and laws."""
     table = _by_law(runs, "coefficient_of_restitution_predicted")
     for rod in paper_rods():
         law = RodImpact("stronge", 1.0, rod=rod).contact_law(unloading="original_radius")
@@ -71,7 +73,10 @@ def restitution(runs: Runs) -> pd.DataFrame:
 
 
 def measured_run(runs: Runs) -> pd.DataFrame:
-    """Return the run whose velocities the paper prints, by laws and by the measured impulse."""
+    """Return the results of laws, and of the measured impulse, for the run with printed velocities.
+
+    The paper prints the velocities before and after the impact of one experiment.
+    """
     rod = next(rod for rod in paper_rods() if rod.angle == MEASURED.angle)
     impacts = runs.table
     impacts = impacts[
@@ -105,7 +110,7 @@ def measured_run(runs: Runs) -> pd.DataFrame:
 
 
 def deformation(runs: Runs) -> pd.DataFrame:
-    """Return the permanent deformation [µm] by the equations of motion."""
+    """Return the permanent deformation that the equations of motion predict [µm]."""
     table = _by_law(runs, "overlap_res_predicted")
     return table.assign(**{law: 1e6 * table[law] for law in LAWS})
 
@@ -129,7 +134,7 @@ def _by_law(runs: Runs, column: str) -> pd.DataFrame:
 
 
 def outcome_figure(runs: Runs) -> Figure:
-    """Draw the outcome of the impacts versus speed."""
+    """Draw the results of the impacts versus speed."""
     return rod_figures.outcome_figure(runs.table)
 
 
@@ -139,7 +144,7 @@ def deformation_figure(runs: Runs) -> Figure:
 
 
 def motion_figure(runs: Runs) -> Figure:
-    """Draw the motion of the run that is closest to the measured run."""
+    """Draw the motion of the rod in the computed run that is closest to the measured run."""
     law = rod_figures.closest_to_measured(runs.outcomes)
     return rod_figures.motion_figure(law, runs.outcomes[law])
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Elastic sphere of Chamoli's thesis: fast impacts with vibration, and a viscoelastic sphere."""
+"""Impacts of an elastic, vibrating sphere (Chamoli's thesis), and of a viscoelastic sphere."""
 
 from __future__ import annotations
 

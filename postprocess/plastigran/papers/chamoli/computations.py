@@ -23,8 +23,9 @@ from plastigran.report.computing import compute_all
 RADIUS = 0.01
 HARD, SOFT = 9.3e9, 6e6  # Young's moduli, Pa
 SPEEDS = (0.01, 0.03, 0.1, 0.3, 1.0, 3.0, 5.0)
-SHOWN = ((HARD, 0.1), (HARD, 5.0), (SOFT, 5.0))  # impacts whose spectra and curves are shown
-#: Flight times divided by the time of a compression wave through the sphere.
+SHOWN = ((HARD, 0.1), (HARD, 5.0), (SOFT, 5.0))  # impacts shown as curves and spectra
+#: Computed times of flight after the impact, divided by the travel time of a compression wave
+#: through the sphere.
 LONG, SHORT = 200.0, 40.0
 #: Radius of the ice sphere whose restitution Bridges, Hatzes & Lin (1984) measured [m], and impact
 #: speeds in the range of their measurement [m/s].
@@ -32,8 +33,8 @@ ICE_RADIUS = 0.0275
 ICE_SPEEDS = (2e-4, 1e-3, 5e-3, 2e-2)
 #: Fit of Bridges, Hatzes & Lin (1984) to the restitution: factor and exponent, with speed in cm/s.
 ICE_RESTITUTION = (0.32, -0.234)
-#: Frequencies of the thesis [kHz] by type, degree and overtone: the first radial mode and the first
-#: toroidal mode, which the thesis takes for the oblate-prolate mode.
+#: Frequencies of modes in the thesis [kHz] by type, degree and overtone: the first radial and the
+#: first toroidal mode. The thesis calls this toroidal mode the oblate-prolate mode.
 PAPER_MODES = {("radial", 0, 0): 143.67, ("toroidal", 1, 0): 186.49}
 
 Impact = tuple[float, float]  # Young's modulus, Pa, and speed, m/s
@@ -44,9 +45,9 @@ class Computed:
     """Data of the tables and figures.
 
     Attributes:
-        vibrations: Finite-element results by impact.
-        engine: Rows of LIGGGHTS' own `hertz` by Young's modulus and speed.
-        viscoelastic: Rows of `viscoelastic_hertz` in LIGGGHTS.
+        vibrations: Finite-element results by Young's modulus and speed.
+        engine: LIGGGHTS results with its own `hertz`, one row per Young's modulus and speed.
+        viscoelastic: LIGGGHTS results with `viscoelastic_hertz`, one row per speed.
         modes: Exact modes of the hard sphere that a normal impact can excite.
     """
 
@@ -89,12 +90,12 @@ def compute(progress: bool, coarse: bool) -> Computed:
 
 
 def material(youngs_modulus: float) -> Material:
-    """Return ice with a different Young's modulus [Pa]."""
+    """Return the material ice with its Young's modulus replaced by a given one [Pa]."""
     return attrs.evolve(read_material("ice"), youngs_modulus=youngs_modulus)
 
 
 def sphere(youngs_modulus: float) -> HertzSphere:
-    """Return the finite-element sphere with a Young's modulus [Pa]."""
+    """Return the finite-element sphere of ice with a given Young's modulus [Pa]."""
     ice = material(youngs_modulus)
     return HertzSphere(
         ElasticPlastic(
@@ -107,14 +108,15 @@ def sphere(youngs_modulus: float) -> HertzSphere:
 
 
 def oscillation(vibration: Vibration) -> pd.DataFrame:
-    """Return the oscillation of the contact force about a smooth fit.
+    """Return the oscillation of the contact force about a smooth fit during contact.
 
-    The fit is Hertz' force times a cubic in (approach/R)^(1/2). It covers the effect of the finite
-    size of the sphere, which depends only on the approach.
+    The fit is Hertz' force times a cubic polynomial in (approach/R)^(1/2). The polynomial describes
+    the deviation from Hertz' force in a sphere of finite size. This deviation depends only on the
+    approach.
 
     Returns:
-        One row per step of the contact: time of the middle of the step [s], and relative_force, the
-        difference from the fit divided by the largest force.
+        One row per time step in contact: time at the middle of the step [s], and relative_force,
+        the difference between force and fit divided by the largest force [-].
     """
     hertz = HertzSphere(vibration.material, vibration.radius)
     history = vibration.history

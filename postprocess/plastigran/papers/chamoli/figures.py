@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figures: impact, energies, restitution versus speed, and spectra of the vibration in flight."""
+"""Figures of impacts: force, energies, restitution versus speed, and spectra of the vibration."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ from plastigran.papers.chamoli.computations import (
 from plastigran.physics.central import hertz_force, hertz_history
 from plastigran.plot.style import COLOURS, styled, subplots
 
-FLIGHT_SHOWN = 1.0  # shown time after contact / duration of contact
+FLIGHT_SHOWN = 1.0  # shown time of flight / duration of contact
 TOROIDAL = PAPER_MODES["toroidal", 1, 0]
 
 
 @styled()
 def impact_figure(computed: Computed) -> Figure:
-    """Draw force, approach and oscillation of the force versus time, in units of Hertz' values."""
+    """Draw force, approach and oscillation of the force versus time, relative to Hertz' values."""
     figure, panels = subplots(1, 3, figsize=(11, 3.6))
     for colour, impact in zip(COLOURS, SHOWN, strict=False):
         vibration = computed.vibrations[impact]
@@ -52,7 +52,7 @@ def impact_figure(computed: Computed) -> Figure:
 
 
 def _hertz_units(impact: Impact) -> tuple[float, float, float]:
-    """Return the largest force [N], the largest approach [m] and the duration [s] by Hertz."""
+    """Return largest force [N], largest approach [m] and duration [s] of a Hertz impact."""
     modulus, speed = impact
     hertz = sphere(modulus)
     approach = hertz.approach_max(speed)
@@ -61,7 +61,7 @@ def _hertz_units(impact: Impact) -> tuple[float, float, float]:
 
 @styled()
 def energies_figure(computed: Computed) -> Figure:
-    """Draw fractions of the impact energy versus time, and the vibration energy in flight."""
+    """Draw kinetic, strain and penalty energy / impact energy versus time, and vibration energy."""
     figure, grid = subplots(2, len(SHOWN), figsize=(11, 5.2), sharex=True)
     parts = (
         ("kinetic", "kinetic_energy", "-"),
@@ -91,7 +91,7 @@ def energies_figure(computed: Computed) -> Figure:
 
 @styled()
 def restitution_figure(computed: Computed) -> Figure:
-    """Draw 1 - e versus speed, with e from the momentum and from the kinetic energy."""
+    """Draw 1 - e versus speed, where the restitution e follows from momentum or kinetic energy."""
     figure, axes = subplots(figsize=(5.6, 4))
     vibrations = [v for (modulus, _), v in computed.vibrations.items() if modulus == HARD]
     vibrations.append(computed.vibrations[SHOWN[-1]])
@@ -112,10 +112,11 @@ def restitution_figure(computed: Computed) -> Figure:
 
 @styled()
 def spectrum_figure(computed: Computed) -> Figure:
-    """Draw spectra in flight after some impacts, with the exact modes."""
+    """Draw the spectra of the flight after some impacts, and the frequencies of the exact modes."""
     figure, panels = subplots(len(SHOWN), 1, figsize=(7.5, 6), sharex=True)
     highest = 1.04e-3 * computed.vibrations[SHOWN[1]].modes["frequency"].max()
-    # The last number is signal frequency / mode frequency. Energy oscillates twice per period.
+    # The last number is signal frequency / mode frequency: energy oscillates twice per period of a
+    # mode.
     signals = (
         ("strain energy", "middle_elastic_energy", 2),
         ("top", "top_displacement", 1),

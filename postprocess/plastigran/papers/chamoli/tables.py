@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tables: impacts compared with Hertz, energies, restitution, oscillations and modes."""
+"""Tables of impacts: comparison with Hertz, energies, restitution, oscillations and modes."""
 
 from __future__ import annotations
 
@@ -31,11 +31,11 @@ from plastigran.physics.modes import sphere_modes
 from plastigran.report.base import add_difference
 
 KHZ, MICRO = 1e-3, 1e6
-NEAR = 0.01  # relative distance within which a peak belongs to a mode
+NEAR = 0.01  # largest relative distance between a mode and its peak
 
 
 def impacts(computed: Computed) -> pd.DataFrame:
-    """Return largest force, largest approach and duration, by Hertz' closed forms and LIGGGHTS."""
+    """Return largest force, largest approach and duration: Hertz, finite elements and LIGGGHTS."""
     rows = []
     for impact, vibration in computed.vibrations.items():
         hertz, speed = sphere(impact[0]), impact[1]
@@ -61,7 +61,7 @@ def impacts(computed: Computed) -> pd.DataFrame:
 
 
 def deviations(computed: Computed) -> pd.DataFrame:
-    """Return one row per impact: the difference of the finite elements from Hertz [%]."""
+    """Return the differences between finite elements and Hertz [%], one row per impact."""
     difference = "finite elements vs Hertz (%)"
     keys = ["E (GPa)", "speed (m/s)", "a/R"]
     rows = [
@@ -75,14 +75,14 @@ def deviations(computed: Computed) -> pd.DataFrame:
 def _by_impact(
     computed: Computed, row: Callable[[Impact, Vibration], dict[str, float]]
 ) -> pd.DataFrame:
-    """Return a table with one row per impact."""
+    """Return a table with one row per impact; `row` returns the further columns of an impact."""
     return pd.DataFrame(
         [_impact_columns(impact) | row(impact, v) for impact, v in computed.vibrations.items()]
     )
 
 
 def energies(computed: Computed) -> pd.DataFrame:
-    """Return fractions of the impact energy, and the error of the total energy."""
+    """Return strain, kinetic and penalty energy / impact energy, and the energy error."""
 
     def row(_: Impact, vibration: Vibration) -> dict[str, float]:
         parts = vibration.history[["kinetic_energy", "elastic_energy", "penalty_energy"]]
@@ -103,7 +103,7 @@ def energies(computed: Computed) -> pd.DataFrame:
 
 
 def restitution(computed: Computed) -> pd.DataFrame:
-    """Return 1 - e by momentum and by kinetic energy, because all restitutions e are near one."""
+    """Return 1 - e by momentum and by kinetic energy. Every restitution e is close to one."""
 
     def row(impact: Impact, vibration: Vibration) -> dict[str, float]:
         initial = vibration.history["kinetic_energy"].iloc[0]
@@ -140,10 +140,10 @@ def oscillations(computed: Computed) -> pd.DataFrame:
 
 
 def modes(computed: Computed) -> pd.DataFrame:
-    """Return free vibrations: exact, of the mesh, and peaks of the spectra.
+    """Return frequencies of free vibrations: exact, of the mesh, and peaks of the spectra.
 
-    The spectra belong to the flight after the fastest impact. Further columns are the energies of
-    the modes after some impacts.
+    The spectra are those of the flight after the fastest impact. Further columns are the energies
+    of the modes after some impacts.
     """
     fastest = computed.vibrations[HARD, 5.0]
     table = nearest_modes(fastest.modes["frequency"], computed.modes)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Katta & Polycarpou 2010: a rigid cylinder on glass, by finite elements and two cylinder laws."""
+"""Impacts of a rigid cylinder on glass (Katta & Polycarpou 2010): finite elements and two laws."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Finite elements and LIGGGHTS runs of the paper's cylinder."""
+"""Finite-element computations and LIGGGHTS runs of the cylinder of the paper."""
 
 from __future__ import annotations
 
@@ -25,14 +25,15 @@ from plastigran.usable_laws import laws_for
 
 RADIUS = 1e-5
 GLASS = read_material(MATERIAL)
-#: Body with the combined elasticity of glass and slider, as in the material file.
+#: Body with the combined elasticity of glass and slider, as in the material file of the glass.
 BODY = ElasticPlastic(
     youngs_modulus=GLASS.youngs_modulus,
     poissons_ratio=GLASS.poissons_ratio,
     density=GLASS.density,
     hardening=LinearHardening(GLASS.yield_strength),
 )
-#: Glass alone. With a slider of 388 GPa and Poisson's ratio 0.22, the pair has E_r of the paper.
+#: Body with the elasticity of the glass alone. In contact with a slider of 388 GPa and Poisson's
+#: ratio 0.22, it has the reduced modulus E_r of the paper.
 GLASS_ALONE = attrs.evolve(BODY, youngs_modulus=1.001e11)
 FRICTION = 0.15
 SLIDING_SPEED = 10.0
@@ -40,12 +41,12 @@ SLIDING_SPEED = 10.0
 #: Impact speeds [m/s] by length/radius.
 SPEEDS = {10.0: (0.2, 0.4, 0.6, 0.8, 1.0), 100.0: (1.0, 2.0, 3.0, 4.0, 5.0)}
 OBLIQUE_SPEEDS = {10.0: (1.0, 0.6), 100.0: (3.0,)}
-#: Impact whose residual depths the paper gives: length/radius, speed [m/s].
+#: Impact for which the paper states residual depths: length/radius, speed [m/s].
 SHOWN = (10.0, 1.0)
 LAWS = tuple(laws_for("cylinder"))
 HEAD_ON = Settings(divisions=4, steps_of_contact=120)
-#: Coarse resolution of oblique impacts, which take ten times as long to compute as head-on impacts,
-#: because their whole track has a fine mesh.
+#: Coarse resolution for oblique impacts. They need a fine mesh along the whole track, so that they
+#: take ten times as long to compute as head-on impacts.
 OBLIQUE = Settings(divisions=3, fineness=0.6, steps_of_contact=40)
 COARSE = Settings(divisions=2, fineness=0.5, steps_of_contact=20)
 
@@ -54,8 +55,9 @@ COARSE = Settings(divisions=2, fineness=0.5, steps_of_contact=20)
 class Case:
     """Impact of the cylinder by finite elements.
 
-    `direction` is "head-on" or "oblique", `mesh` is "usual" or "coarse". `body` is "layer", "thick"
-    (without wave reflection), "thin" (half the layer) or "glass" (without the slider's elasticity).
+    `direction` is "head-on" or "oblique"; `mesh` is "usual" or "coarse". `body` is "layer" (100 µm
+    thick), "thick" (a body without reflected waves), "thin" (half the thickness of the layer) or
+    "glass" (the layer without the elasticity of the slider).
     """
 
     length_ratio: float
@@ -65,13 +67,13 @@ class Case:
     mesh: str = "usual"
 
     def settings(self) -> Settings:
-        """Resolution of the computation."""
+        """Return the resolution of the computation."""
         if self.mesh == "coarse":
             return COARSE
         return OBLIQUE if self.direction == "oblique" else HEAD_ON
 
     def strike(self) -> CylinderStrike:
-        """Impact to compute."""
+        """Return the impact as an input of the finite-element program."""
         sliding = self.direction == "oblique"
         thickness = {"thick": None, "thin": BODY_THICKNESS / 2}.get(self.body, BODY_THICKNESS)
         return CylinderStrike(
@@ -91,8 +93,8 @@ class Computed:
     """Data of the tables and figures.
 
     Attributes:
-        strikes: Finite-element results.
-        runs: LIGGGHTS results, by length/radius, speed and law; head-on.
+        strikes: Finite-element results by case.
+        runs: LIGGGHTS results of head-on impacts, by length/radius, speed and law.
     """
 
     strikes: dict[Case, Strike]
@@ -100,7 +102,7 @@ class Computed:
 
 
 def cases(coarse: bool) -> list[Case]:
-    """Return the impacts to compute, the longest computation first."""
+    """Return the impacts to compute; those that take longest come first."""
     shown = [Case(*SHOWN, "oblique"), Case(*SHOWN)]
     if coarse:
         return [*shown, Case(*SHOWN, body="thick")]
@@ -118,7 +120,7 @@ def cases(coarse: bool) -> list[Case]:
 
 
 def compute(progress: bool, coarse: bool) -> Computed:
-    """Compute `Computed`, or read it from the cache; arguments as for `Evidence.run`."""
+    """Compute all results, or read them from the cache; arguments as for `Evidence.run`."""
     strikes = compute_all(
         {
             case: partial(

@@ -17,7 +17,7 @@ DIRECTIONS = ("head-on", "oblique")
 
 @styled()
 def restitution_figure(computed: Computed) -> Figure:
-    """Draw restitution versus speed, one panel for each length of the cylinder."""
+    """Draw the restitution versus speed in one panel for each length of the cylinder."""
     ratios = sorted({ratio for ratio, _, _ in computed.runs})
     series = {
         ("head-on", "layer"): ("ko", "finite elements, 100 µm"),

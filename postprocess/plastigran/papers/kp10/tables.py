@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tables of the cylinder: paper, finite elements and both cylinder laws."""
+"""Tables of impacts of the cylinder: paper, finite elements and both cylinder laws."""
 
 from __future__ import annotations
 
@@ -15,10 +15,12 @@ from plastigran.papers.kp10.computations import LAWS, SHOWN, Case, Computed
 from plastigran.report.base import add_difference
 
 MICRO = 1e6
-#: Residual depths of the paper's finite elements at `SHOWN` [m]; the oblique impact slides.
+#: Residual depths that the finite elements of the paper give for the impact `SHOWN` [m]: without
+#: sliding ("head-on") and with sliding ("oblique").
 PAPER_DEPTHS = {"head-on": FINITE_ELEMENTS_OVERLAP_RES, "oblique": 0.19e-6}
 OURS = "finite elements"
-#: Quantities: attribute of finite elements and of LIGGGHTS, unit in tables, and factor to it.
+#: For each quantity: attribute of finite-element results, attribute of LIGGGHTS results, unit in
+#: tables, and factor from the SI unit to this unit.
 QUANTITIES = {
     "residual depth": ("residual_depth", "overlap_res", "µm", MICRO),
     "depth at separation": ("overlap_res", "overlap_res", "µm", MICRO),
@@ -27,12 +29,12 @@ QUANTITIES = {
     "contact time": ("contact_time", "contact_time", "µs", MICRO),
     "largest force": ("force_max", "force_max", "N", 1.0),
 }
-#: Residual / largest depth below which the residual depth counts as zero. The residual depth in
-#: LIGGGHTS is extrapolated from the last three of some thirty steps. An elastic contact has an
-#: error of this size.
+#: Residual depth / largest depth below which the residual depth counts as zero. The residual depth
+#: in LIGGGHTS is extrapolated from the last three of about thirty steps. For an elastic contact,
+#: the error of this extrapolation reaches the limit.
 INSIGNIFICANT = 1e-3
-#: Speeds of the impacts in the table `head_on`, by length/radius: just beyond yield, and the
-#: fastest [m/s].
+#: Speeds of the impacts in the table `head_on` [m/s], by length/radius: a speed just above the
+#: yield speed, and the highest speed.
 HEAD_ON_SPEEDS = {10: (0.4, 1.0), 100: (2.0, 5.0)}
 BODIES = {
     "layer": "combined elasticity, 100 µm",
@@ -43,7 +45,7 @@ BODIES = {
 
 
 def comparison(computed: Computed) -> pd.DataFrame:
-    """Return the impact whose residual depths the paper gives, head-on and oblique."""
+    """Return the impact for which the paper states residual depths, head-on and oblique."""
     strikes = {direction: computed.strikes[Case(*SHOWN, direction)] for direction in PAPER_DEPTHS}
     rows = []
     for direction, strike in strikes.items():
@@ -53,7 +55,8 @@ def comparison(computed: Computed) -> pd.DataFrame:
             row[OURS] = factor * getattr(strike, name)
             for law in LAWS:
                 run = computed.runs[*SHOWN, law]
-                # Omit LIGGGHTS for oblique impacts, because the laws do not include sliding.
+                # Omit LIGGGHTS for oblique impacts, because the normal force of the laws does not
+                # depend on sliding.
                 value = nan if direction == "oblique" else factor * getattr(run, run_name)
                 row[f"LIGGGHTS, {law}"] = value
             rows.append(row)
@@ -92,7 +95,7 @@ def normal(computed: Computed) -> pd.DataFrame:
 
 
 def _significant(outcome: object, name: str) -> float:
-    """Return a result in SI units; an insignificant residual depth is zero."""
+    """Return a result in SI units, with 0 for a residual depth below `INSIGNIFICANT`."""
     value = getattr(outcome, name)
     residual = name in ("residual_depth", "overlap_res")
     return 0.0 if residual and value < INSIGNIFICANT * outcome.overlap_max else value
@@ -107,7 +110,10 @@ def head_on(computed: Computed) -> pd.DataFrame:
 
 
 def oblique(computed: Computed) -> pd.DataFrame:
-    """Return finite elements with sliding at 10 m/s, and head-on, each also on a coarse mesh."""
+    """Return finite-element results with sliding at 10 m/s and head-on.
+
+    The impact `SHOWN` is also computed on a coarse mesh.
+    """
     rows = []
     for case, strike in sorted(computed.strikes.items()):
         slid = Case(case.length_ratio, case.speed, "oblique") in computed.strikes
@@ -142,8 +148,8 @@ def oblique(computed: Computed) -> pd.DataFrame:
 def surface_yield(strike: Strike) -> pd.Series:
     """Return the row of the history at which the surface first yields; NaN if it does not yield.
 
-    The surface yields if the shallowest yielded Gauss point is in the first layer of points. The
-    first layer consists of the two points of each surface element that are closest to y = 0.
+    The surface yields if the shallowest yielded Gauss point is in the first layer of Gauss points.
+    The first layer has the two Gauss points of each surface element that are closest to y = 0.
     """
     end = strike.snapshots["end"]
     at_surface = np.count_nonzero(end.vertices[end.quads, 1] == 0, axis=1) == 2
@@ -154,7 +160,7 @@ def surface_yield(strike: Strike) -> pd.Series:
 
 
 def touched_lengths(strike: Strike) -> np.ndarray:
-    """Return the lengths of the surface elements that the contact has reached (n,), m."""
+    """Return the lengths of the surface elements that came into contact (n,), m."""
     history, vertices = strike.history, strike.snapshots["end"].vertices
     middle, half_width = strike.start + history["way"], history["half_width"]
     first, last = (middle - half_width).min(), (middle + half_width).max()
@@ -163,11 +169,11 @@ def touched_lengths(strike: Strike) -> np.ndarray:
 
 
 def bodies(computed: Computed) -> pd.DataFrame:
-    """Return the influence of modulus and thickness of the body on the impact at `SHOWN`."""
+    """Return results of the impact `SHOWN` for bodies of different modulus and thickness."""
     rows = []
     for body, description in BODIES.items():
         strike = computed.strikes.get(Case(*SHOWN, body=body))
-        if strike is None:  # skip bodies that a coarse computation does not contain
+        if strike is None:  # a coarse computation lacks some bodies
             continue
         rows.append(
             {

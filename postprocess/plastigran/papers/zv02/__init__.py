@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The sphere of Zhang & Vu-Quoc 2002: finite elements, the paper's law and other laws."""
+"""Impacts of a sphere (Zhang & Vu-Quoc 2002): finite elements, the law of the paper, other laws."""
 
 from __future__ import annotations
 

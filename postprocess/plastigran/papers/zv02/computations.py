@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Finite elements and LIGGGHTS runs of the paper's sphere."""
+"""Finite-element computations and LIGGGHTS runs of the sphere of the paper."""
 
 from __future__ import annotations
 
@@ -37,17 +37,18 @@ SPHERE = HertzSphere(METAL, RADIUS)
 PAIR = laws.combine(MATERIAL.body(), RIGID)
 MASS = 4 / 3 * pi * RADIUS**3 * MATERIAL.density
 
-#: Impact speeds [m/s]: those of the paper, and one between them.
+#: Impact speeds [m/s]: three speeds of the paper, and 0.06 m/s.
 SPEEDS = (0.20, 0.10, 0.06, 0.02)
-#: Speeds of the paper's impacts without plastic flow [m/s].
+#: Speeds of the impacts that the paper computes without plastic flow [m/s].
 ELASTIC_SPEEDS = (0.02, 0.10)
-#: Speed of the movie [m/s].
+#: Impact speed in the movie [m/s].
 SHOWN = 0.10
-#: Largest forces [N]: just beyond yield, the paper's loads, and the force of its fastest impact.
+#: Largest forces of the quasi-static compressions [N]: just above the yield force, the loads of the
+#: paper, and the largest force of its fastest impact.
 FORCES = (40.0, 100.0, 500.0, 1500.0, 3000.0, 8375.0)
-#: Force up to which the paper fits the constants of its law, 41 P_Y [N].
+#: Force up to which the paper fits the constants of its law [N], 41 times the yield force.
 CALIBRATION_FORCE = 1500.0
-#: Laws of the paper, and the two closest to finite elements.
+#: Laws of the paper, and the two laws that are closest to finite elements.
 LAWS = ("vu_quoc_zhang", "thornton", "stronge", "kogut_etsion", "jackson_green")
 
 
@@ -56,14 +57,14 @@ class Computed:
     """Data of the tables and figures.
 
     Attributes:
-        impacts: Elastic-plastic impacts, by speed.
-        elastic_impacts: Elastic impacts, by speed.
+        impacts: Finite-element impacts with plastic flow, by speed.
+        elastic_impacts: Finite-element impacts without plastic flow, by speed.
         pressing: Quasi-static compression to each of `FORCES`.
         elastic_pressing: Compression to each of `FORCES` without plastic flow.
-        fit: Compression to `CALIBRATION_FORCE`.
-        onset: Compression past the yield force in small steps, on a finer mesh.
+        fit: Compression to `CALIBRATION_FORCE`, from which the constants of the law are fitted.
+        onset: Compression to a force above the yield force in small steps, on a finer mesh.
         mesh: Mesh of the impact at `SHOWN`.
-        runs: LIGGGHTS runs of `LAWS` and Hertz at every speed.
+        runs: LIGGGHTS runs with each of `LAWS` and with Hertz, at every speed.
     """
 
     impacts: dict[float, Throw]
@@ -76,17 +77,17 @@ class Computed:
     runs: Runs
 
     def run(self, law: str, speed: float) -> CollisionOutcome:
-        """Return the impact of a law in LIGGGHTS."""
+        """Return the LIGGGHTS run with a law at an impact speed [m/s]."""
         outcomes = self.runs.outcomes
         return next(o for case, o in outcomes.items() if (case.law, case.speed) == (law, speed))
 
 
 def compute(progress: bool, coarse: bool) -> Computed:
-    """Compute `Computed`, or read it from the cache; arguments as for `Evidence.run`."""
+    """Compute all results, or read them from the cache; arguments as for `Evidence.run`."""
     usual, frames = Settings(), 50
     if coarse:
         usual, frames = Settings(divisions=4, fineness=0.5, growth=1.15, steps_of_contact=80), 12
-    # Continue for two periods of the fundamental mode after the contact.
+    # Continue the computation for two periods of the fundamental mode after the contact.
     long = attrs.evolve(usual, free_steps=usual.steps_of_contact // 4, frames=frames)
     fine = attrs.evolve(usual, divisions=2 * usual.divisions, growth=1.002, unloading_steps=8)
     speeds = (SHOWN, 0.02) if coarse else SPEEDS

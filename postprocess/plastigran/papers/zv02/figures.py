@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Curves of the sphere: restitution, impacts versus time, loops, contact radius and pressure."""
+"""Figures of the sphere: restitution, force, unloading, contact radius and pressure."""
 
 from __future__ import annotations
 
@@ -26,13 +26,13 @@ FINITE_ELEMENTS = {"color": "k", "lw": 1.6, "label": "finite elements"}  # style
 
 
 def shades(forces: np.ndarray) -> np.ndarray:
-    """Return one color for each force of a compression."""
+    """Return one color (RGBA) for each of some forces."""
     return matplotlib.colormaps["viridis"](np.linspace(0.05, 0.85, len(forces)))
 
 
 @styled()
 def restitution_figure(computed: Computed) -> Figure:
-    """Draw restitution versus impact speed: laws as lines; finite elements, LIGGGHTS and paper."""
+    """Draw restitution versus impact speed: laws (lines), finite elements and LIGGGHTS (points)."""
     speeds = np.geomspace(SPHERE.yield_speed, 1.2 * max(computed.impacts), 150)
     figure, axes = subplots(figsize=(7.6, 4.6))
     for name in LAWS:
@@ -58,10 +58,10 @@ def restitution_figure(computed: Computed) -> Figure:
 
 @styled()
 def collisions_figure(computed: Computed) -> Figure:
-    """Draw force versus time, a panel for each speed.
+    """Draw force versus time during impacts, in one panel for each speed.
 
-    The curves are finite elements with and without plastic flow, Hertz, and the paper's law in
-    LIGGGHTS.
+    The curves are finite elements with and without plastic flow, and in LIGGGHTS Hertz and the law
+    of the paper.
     """
     speeds = list(computed.impacts)
     figure, panels = subplots(1, len(speeds), figsize=(2.6 * len(speeds) + 0.4, 3.4), squeeze=False)
@@ -92,7 +92,7 @@ def collisions_figure(computed: Computed) -> Figure:
 
 @styled()
 def loops_figure(computed: Computed) -> Figure:
-    """Draw force versus approach with an unloading from each force: finite elements and laws."""
+    """Draw force versus approach with unloading from several forces: finite elements and laws."""
     pressing = computed.pressing
     tops = pressing.unloadings["approach"].to_numpy()
     figure, panels = subplots(1, 2, figsize=(8.6, 3.8), width_ratios=(1, 1))
@@ -136,7 +136,11 @@ def contact_radius_figure(computed: Computed) -> Figure:
 
 @styled()
 def pressure_figure(computed: Computed) -> Figure:
-    """Draw pressure versus distance from the axis at each largest force, plastic and elastic."""
+    """Draw the contact pressure versus distance from the axis at several forces.
+
+    The left panel shows an elastic sphere with Hertz' pressure, the right panel an elastic-plastic
+    sphere.
+    """
     plastic, elastic = computed.pressing, computed.elastic_pressing
     strength = plastic.material.hardening.yield_strength
     forces = plastic.unloadings["force"]

@@ -19,15 +19,15 @@ from plastigran.plot.movie import Movie
 from plastigran.plot.style import COLOURS, styled, subplots
 
 MM = 1e3
-#: Plastic strain at the drawn edge of the plastic zone: a hundredth of the yield strain.
+#: Plastic strain at which the edge of the plastic zone is drawn: a hundredth of the yield strain.
 ZONE_EDGE = 1e-5
-#: Indices of the largest forces in the figure of stress.
+#: Indices of the forces `FORCES` that the figure of stress shows.
 FORCES_SHOWN = [0, 1, 3, -1]
 
 
 @styled({"axes.grid": False})
 def mesh_figure(computed: Computed) -> Figure:
-    """Draw the whole mesh, and its part near the contact."""
+    """Draw the whole mesh, and the part of the mesh near the contact."""
     mesh = computed.mesh
     contact_radius = MM * computed.impacts[SHOWN].history["contact_radius"].max()
     figure, (whole, part) = subplots(1, 2, figsize=(7.2, 3.7), width_ratios=(1, 1.7))
@@ -46,9 +46,9 @@ def mesh_figure(computed: Computed) -> Figure:
 
 @styled({"axes.grid": False})
 def mises_figure(computed: Computed) -> Figure:
-    """Draw von Mises stress at some largest forces and after each unloading.
+    """Draw the von Mises stress at several forces and after unloading from each of these forces.
 
-    Lengths are divided by the contact radius at that force.
+    Lengths are divided by the contact radius a at the force before unloading.
     """
     pressing = computed.pressing
     strength = pressing.material.hardening.yield_strength
@@ -81,7 +81,7 @@ def _draw_sphere(axes: Axes, snapshot: Snapshot, strength: float, scale: float) 
 
 @styled()
 def plastic_zone_figure(computed: Computed) -> Figure:
-    """Draw the edges of the plastic zone at each largest force."""
+    """Draw the edge of the plastic zone at each force `FORCES`."""
     pressing = computed.pressing
     forces = pressing.unloadings["force"]
     figure, axes = subplots(figsize=(6.4, 4.4))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tables of the sphere: paper, finite elements, laws and LIGGGHTS."""
+"""Tables of the sphere: values of the paper, of finite elements, of laws and of LIGGGHTS."""
 
 from __future__ import annotations
 
@@ -26,22 +26,23 @@ from plastigran.physics.contact_time import contact_time
 from plastigran.report.base import add_difference
 
 FINITE_ELEMENTS, PAPER = "finite elements", "paper"
-#: Values that the paper prints, in addition to `data/finite_elements_zv02.csv`.
+#: Values that the paper states, in addition to those in `data/finite_elements_zv02.csv`.
 PAPER_ELASTIC_FORCE = {0.02: 716.6, 0.10: 4938.0}
 PAPER_YIELD_FORCE = 36.45
 PAPER_YIELD_PRESSURE_FACTOR = 1.613
 PAPER_COEFFICIENTS = {"C_a": 2.33e-7, "K_c": 2.69e-4}
 PAPER_LAW_RESTITUTION = {0.20: 0.4773}
 COMPARED = {"force_max": "force", "coefficient_of_restitution": "restitution"}
-# Upper bound of approach / radius in the search, sufficient for all laws and forces.
+# Upper bound of approach / radius in the search for the approach at a force. It is sufficient for
+# all laws and forces.
 LARGEST_APPROACH = 0.01
 
 
 def onset(computed: Computed) -> pd.DataFrame:
-    """Return the load and place of first yield.
+    """Return the force and the location of first yield.
 
-    First yield is the first increment with plastic work. The place is the point with the largest
-    plastic strain at the last increment.
+    First yield occurs in the first increment with plastic work. The location is the Gauss point
+    with the largest plastic strain in the last increment.
     """
     pressing = computed.onset
     history, top = pressing.history, pressing.snapshots[0]
@@ -75,7 +76,7 @@ def onset(computed: Computed) -> pd.DataFrame:
 
 
 def elastic(computed: Computed) -> pd.DataFrame:
-    """Return the impacts without plastic flow."""
+    """Return results of the impacts without plastic flow."""
     rows = []
     for speed, impact in computed.elastic_impacts.items():
         force, duration = SPHERE.force(SPHERE.approach_max(speed)), SPHERE.duration(speed)
@@ -99,10 +100,10 @@ def elastic(computed: Computed) -> pd.DataFrame:
 
 
 def _impacts(computed: Computed, name: str, scale: float = 1.0) -> pd.DataFrame:
-    """Return one quantity of the impacts, one row per speed.
+    """Return a quantity of the impacts with plastic flow, one row per speed.
 
-    Columns are the paper (if it gives this quantity), the finite elements, every law by its energy
-    balance, and the paper's law in LIGGGHTS.
+    The columns are the paper (if it states the quantity), finite elements, each law by its energy
+    balance, and the law of the paper in LIGGGHTS.
     """
     paper = finite_elements().set_index("speed")
     rows = []
@@ -139,7 +140,10 @@ def duration(computed: Computed) -> pd.DataFrame:
 
 
 def restitution(computed: Computed) -> pd.DataFrame:
-    """Return the restitution as `_impacts`, with the restitution from the mean velocity of nodes.
+    """Return the table of `_impacts` for the restitution, with further columns.
+
+    These columns have the restitution from the mean velocity of the mesh nodes, and the restitution
+    that the paper states for its law.
 
     The nodal restitution oscillates while the sphere flies.
     """
@@ -155,14 +159,14 @@ def restitution(computed: Computed) -> pd.DataFrame:
 
 
 def nodal_restitution(impact: Throw) -> np.ndarray:
-    """Return the restitution by the mean velocity of corner nodes at each step after contact."""
+    """Return the restitution from the mean velocity of corner nodes, at each step after contact."""
     history = impact.history
     end = history.loc[history["force"] > 0, "time"].max()
     return history.loc[history["time"] > end, "nodal_velocity"].to_numpy() / impact.speed
 
 
 def pressed(computed: Computed) -> pd.DataFrame:
-    """Return the quasi-static compression: finite elements, and errors of laws."""
+    """Return results of quasi-static compression: finite elements and laws."""
     # Skip the first compression, which hardly yields.
     unloadings = computed.pressing.unloadings.iloc[1:]
     by_law = {law: [_press_law(law, force) for force in unloadings["force"]] for law in LAWS}
@@ -181,7 +185,7 @@ def pressed(computed: Computed) -> pd.DataFrame:
 
 
 def _press_law(name: str, force: float) -> dict[str, float]:
-    """Return a law's results of loading to `force` [N] and unloading, as `Pressing.unloadings`."""
+    """Return results of a law for loading to `force` [N] and unloading as `Pressing.unloadings`."""
     law = contact_laws.LAWS[name](PAIR)
     overlap = brentq(
         lambda overlap: law.respond(RADIUS, overlap, law.State()).force - force,
@@ -202,7 +206,7 @@ def _press_law(name: str, force: float) -> dict[str, float]:
 
 
 def coefficients(computed: Computed) -> pd.DataFrame:
-    """Return the constants of Vu-Quoc and Zhang's law, fitted here and published."""
+    """Return the constants of Vu-Quoc and Zhang's law: fitted to finite elements, and published."""
     fitted = calibrate(computed.fit)
     rows = [
         ("C_a", "m/N", PAPER_COEFFICIENTS["C_a"], fitted.contact_radius_per_force),
