@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Data of a chart. `plot.static` draws it in figures, `report.page.charts` in HTML pages."""
+"""Data of a chart. `plot.static` draws charts in figures, `report.page.charts` in HTML pages."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ import numpy as np
 
 from plastigran.plot.quantities import Scale
 
-#: Color number of black on a light page, or white on a dark page.
+#: Value of `Curve.colour` for black on a light page and white on a dark page.
 INK = -1
-#: Line styles: the name in plotly, the style in matplotlib and the word in a sentence.
+#: Line styles: name in plotly, style in matplotlib, and word for captions.
 DASHES = (
     ("solid", "-", "solid"),
     ("dash", "--", "dashed"),
@@ -28,16 +28,16 @@ class Curve:
     """One curve of a chart.
 
     Attributes:
-        x, y: Values (N,) in SI units; x may also be words.
-        name: Name in the legend; curves of the same name share an entry.
-        law: Law whose color the curve has; "" for none.
-        colour: Index in `plastigran.plot.style.COLOURS`, for a curve without law.
+        x, y: Coordinates of the points (N,) in SI units; x may also be N texts.
+        name: Name in the legend. Curves with equal names share an entry of the legend.
+        law: Law whose color the curve has; "" if `colour` sets the color.
+        colour: Index of the color in `plastigran.plot.style.COLOURS`, for a curve without law.
         look: "line", "points", "joined" (points joined by a line), "dashes" or "cross" (a dash or
             cross at each point), or "area". Areas are stacked in the order of the curves; areas
             with negative values are stacked below zero.
         dash: Index of the line style in `DASHES`.
-        source: Source of the values, for example "theory".
-        remarks: Texts (N,) that an interactive chart shows at the points instead of x and y.
+        source: Source of the values, for example "theory", which interactive charts show.
+        remarks: N texts that an interactive chart shows at the points instead of x and y.
     """
 
     x: np.ndarray
@@ -61,11 +61,11 @@ class Panel:
     """Curves on one pair of axes.
 
     Attributes:
-        x, y: Axes.
+        x, y: Titles and units of the axes.
         curves: Curves, in the order of the legend.
-        logarithmic: Names of the logarithmic axes: "", "x", "y" or "xy".
-        y_range: Ends of the y axis in the unit of `y`; None to fit the curves.
-        limits: Values of y marked by horizontal dotted lines, in SI units.
+        logarithmic: Axes with logarithmic scale: "", "x", "y" or "xy".
+        y_range: Lower and upper end of the y axis in the unit of `y`; None to fit the curves.
+        limits: Values of y that horizontal dotted lines mark, in SI units.
     """
 
     x: Scale

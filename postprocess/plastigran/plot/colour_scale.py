@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Color scale of a picture: unit, ends and labels."""
+"""Color scale of a picture: unit, range of values, and labels."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from matplotlib.ticker import MaxNLocator
 
 from plastigran.plot.quantities import Scale, prefix
 
-#: Largest number of intervals between labels.
+#: Largest number of intervals between the labels of a color scale.
 INTERVALS = 5
 
 
@@ -18,8 +18,8 @@ class ColourScale(Scale):
     """Color scale of a picture.
 
     Attributes:
-        ends: Smallest and largest value, in `unit`.
-        labels: Number of labels, evenly spaced from end to end.
+        ends: Smallest and largest value of the scale, in `unit`.
+        labels: Number of labels, which are evenly spaced and include both ends.
     """
 
     ends: tuple[float, float]
@@ -27,14 +27,14 @@ class ColourScale(Scale):
 
 
 def colour_scale(title: str, unit: str, values: object, from_zero: bool) -> ColourScale:
-    """Return a scale that contains one or more values and has round labels.
+    """Return a color scale that covers the given values and has round numbers as labels.
 
-    `unit` has no prefix. With `from_zero`, the scale starts at zero or below.
+    `unit` is an SI unit without prefix. With `from_zero`, the range includes zero.
     """
     letter, factor = prefix(values)
     low, high = float(np.min(values)) * factor, float(np.max(values)) * factor
     low = min(low, 0.0) if from_zero else low
-    ticks = [low]  # for a scale with a single value
+    ticks = [low]  # the only label if all values are equal
     if low < high:
         ticks = MaxNLocator(INTERVALS, steps=[1, 2, 2.5, 5, 10]).tick_values(low, high)
     ends = float(ticks[0]), float(ticks[-1])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Draw quadrilateral meshes and fields on them. Fields can be mirrored at the symmetry axis."""
+"""Draw quadrilateral meshes, and fields on such meshes. Fields can be mirrored at the axis."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ def draw_mesh(axes: Axes, points: np.ndarray, quads: np.ndarray, **style: object
 
     Args:
         axes: Axes to draw in.
-        points: Nodes (n, 2), in the units of the axes.
-        quads: Nodes of each element (m, 8): four corners, then the four mid-side nodes.
+        points: Coordinates of the nodes (n, 2), in the units of the axes.
+        quads: Indices of the nodes of each element (m, 8): four corners, then four mid-side nodes.
         style: Keywords of matplotlib's LineCollection.
     """
     corners, middles = quads[:, :4], quads[:, 4:]
@@ -38,22 +38,23 @@ def draw_field(
     filled: bool = True,
     **style: object,
 ) -> ContourSet:
-    """Draw a field as contours.
+    """Draw contours of a field that is given at the vertices of a quadrilateral mesh.
 
     Args:
         axes: Axes to draw in.
-        vertices: Coordinates (n, 2), in the units of the axes.
-        quads: Corners of each quadrilateral (m, 4).
+        vertices: Coordinates of the vertices (n, 2), in the units of the axes.
+        quads: Indices of the corners of each quadrilateral (m, 4).
         values: Values at the vertices (n,).
         levels: Levels of the contours, increasing.
-        mirror: Whether to repeat the field at negative first coordinates.
+        mirror: Whether to draw also the mirror image of the field at negative first coordinates.
         filled: Whether to fill the space between levels instead of drawing lines.
         style: Keywords of matplotlib's tricontourf or tricontour.
 
     Returns:
-        The contours, for a color bar.
+        The contours, from which a color bar can be made.
     """
-    # Split each quadrilateral along a diagonal. For smooth fields, either diagonal will do.
+    # Split each quadrilateral along a diagonal. For a smooth field, the choice of the diagonal does
+    # not matter.
     triangles = np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
     if mirror:
         count = len(vertices)

@@ -19,11 +19,11 @@ if TYPE_CHECKING:
 
 
 class SnapshotError(ValueError):
-    """Error of a picture that cannot be drawn. The message names the missing data or library."""
+    """A picture cannot be drawn. The message names the missing data or library."""
 
 
 class DamagedFrame(SnapshotError):
-    """Error of a frame with an incomplete file. The message names the file."""
+    """A file of a frame is incomplete. The message names the file."""
 
     def __init__(self, path: Path) -> None:
         super().__init__(f"{path} is cut short or damaged")
@@ -36,9 +36,9 @@ class Frame:
 
     Attributes:
         step: Time step number.
-        grains: Points with radius, velocity and plastic work.
-        contacts: Lines between the centers of grains in contact, with force and overlap.
-        mesh: Triangles of the walls.
+        grains: File of points with radius, velocity and plastic work of the grains.
+        contacts: File of lines between the centers of grains in contact, with force and overlap.
+        mesh: File of the triangles of the walls.
     """
 
     step: int
@@ -61,7 +61,7 @@ def find_frames(folder: str | Path) -> list[Frame]:
         folder = folder / "frames"
 
     def files_by_step(name: str) -> dict[int, Path]:
-        # Files of frames have a step number; LIGGGHTS also writes VTK files of bounding boxes.
+        # Select names with a step number, because LIGGGHTS also writes VTK files of bounding boxes.
         files = folder.glob(f"{name}_[0-9]*.vtk")
         return {int(path.stem.removeprefix(f"{name}_")): path for path in files}
 
@@ -109,7 +109,7 @@ def whole_frames(frames: Iterable[Frame]) -> list[Frame]:
 
 
 def read_vtk(path: Path) -> pyvista.DataSet:
-    """Read a file of a frame. Files without points are valid; VTK's warning is suppressed.
+    """Read a VTK file of a frame. A file without points is valid and causes no warning.
 
     Raises:
         DamagedFrame: The file is incomplete.
@@ -128,7 +128,7 @@ def read_vtk(path: Path) -> pyvista.DataSet:
             data = pyvista.read(path)
     except (RuntimeError, ValueError, TypeError):
         raise DamagedFrame(path) from None
-    # VTK does not report a file that ends between two of its parts.
+    # VTK reports no error for a file that ends between two of its parts, so check the parts.
     if not data.n_points:
         whole = b"\nPOINTS 0 " in content
     elif path.name.startswith("mesh_"):  # mesh files may have no data columns

@@ -21,9 +21,9 @@ class GrainQuantity:
     """Quantity that can color grains.
 
     Attributes:
-        title: Name in words.
+        title: Name of the quantity in words.
         unit: SI unit.
-        values: Function from the grains of a frame to their values (n,).
+        values: Function that returns the values (n,) for the VTK data of the n grains of a frame.
         from_zero: Whether the color scale starts at zero.
     """
 
@@ -49,11 +49,11 @@ def _norms(vectors: np.ndarray) -> np.ndarray:
 
 
 def grain_values(frame: Frame, quantity: str) -> np.ndarray:
-    """Return the values of a quantity of `GRAIN_QUANTITIES`, one for each grain (n,).
+    """Return a quantity of `GRAIN_QUANTITIES` for each grain of a frame (n,).
 
     Raises:
         DamagedFrame: A file is incomplete.
-        SnapshotError: The frame has no such values.
+        SnapshotError: The frame has no values of this quantity.
     """
     grains = read_vtk(frame.grains)
     if not grains.n_points:
@@ -69,7 +69,7 @@ def contact_forces(frame: Frame) -> np.ndarray:
 
     Raises:
         DamagedFrame: A file is incomplete.
-        SnapshotError: The frame has no contacts.
+        SnapshotError: The frame has no file of contacts.
     """
     if frame.contacts is None:
         raise SnapshotError(f"{frame.grains.parent} has no contacts_{frame.step}.vtk")
@@ -84,8 +84,8 @@ class GrainFrame:
     Attributes:
         step: Time step number.
         positions: Centers of the grains (n, 3), m.
-        radii: Radii (n,), m.
-        speed: Speeds (n,), m/s.
+        radii: Radii of the grains (n,), m.
+        speed: Speeds of the grains (n,), m/s.
         plastic_work: Plastic work of each grain (n,), J; None in a run without energy balance.
         force: Largest contact force on each grain (n,), N; None in a frame without contacts.
         walls: Corners of the triangles of the walls (m, 3, 3), m.
@@ -110,7 +110,7 @@ def read_frame(frame: Frame) -> GrainFrame:
     grains, walls = read_vtk(frame.grains), np.empty((0, 3, 3))
     if frame.mesh and (mesh := read_vtk(frame.mesh)).n_cells:
         walls = np.asarray(mesh.points, float)[mesh.regular_faces]
-    if not grains.n_points:  # a file without grains has no columns to check
+    if not grains.n_points:  # a file without grains has no columns
         none = np.zeros(0)
         return GrainFrame(frame.step, np.empty((0, 3)), none, none, none, none, walls)
     if missing := {"radius", "v", "id"} - set(grains.point_data):
@@ -129,10 +129,10 @@ def read_frame(frame: Frame) -> GrainFrame:
 
 
 def read_frames(frames: Iterable[Frame]) -> tuple[list[GrainFrame], list[Path]]:
-    """Return the complete frames, and the damaged files of the others.
+    """Return the complete frames, and the damaged files of the other frames.
 
     Raises:
-        SnapshotError: As for `read_frame`.
+        SnapshotError: A file lacks a column, or pyvista is not installed.
     """
     whole, damaged = [], []
     for frame in frames:
@@ -144,14 +144,15 @@ def read_frames(frames: Iterable[Frame]) -> tuple[list[GrainFrame], list[Path]]:
 
 
 def _largest_forces(frame: Frame, positions: np.ndarray) -> np.ndarray:
-    """Return the largest contact force on each grain, found by the ends of the contact lines."""
+    """Return the largest contact force on each grain (n,) [N]."""
     from scipy.spatial import cKDTree
 
     largest, forces = np.zeros(len(positions)), contact_forces(frame)
     if len(forces):
         ends = np.asarray(read_vtk(frame.contacts).points, float).reshape(-1, 3)
-        # A contact line ends at grain centers, except across a periodic boundary. Omit these ends.
-        # The tolerance is needed because coordinates have six digits.
+        # The file of contacts does not identify grains. Find them by the ends of the contact lines,
+        # which are grain centers with six digits. Omit ends outside the box: they belong to
+        # contacts across a periodic boundary.
         distance, grain = cKDTree(positions).query(ends)
         at_grain = distance < 1e-4 * np.ptp(positions, axis=0).max()
         np.maximum.at(largest, grain[at_grain], np.repeat(forces, 2)[at_grain])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Movie of the VTK frames of a run. GIF files need pyvista and imageio, MP4 files also av."""
+"""Movie of the VTK frames of a run. Movies need pyvista and imageio; MP4 files also need av."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from plastigran.plot.frames import GRAIN_QUANTITIES, contact_forces, grain_value
 from plastigran.plot.snapshot import draw
 from plastigran.progress import ProgressBar
 
-SIZE = (960, 720)  # pixels along x and y; the video codec needs even numbers
+SIZE = (960, 720)  # width and height in pixels; the video codec needs even numbers
 
 
 def save_grain_movie(
@@ -25,7 +25,7 @@ def save_grain_movie(
     rate: float = 10.0,
     progress: bool = True,
 ) -> None:
-    """Draw a movie of frames with one view and one color scale.
+    """Draw a movie of frames. All frames have the same view and the same color scale.
 
     A frame without grains shows only the walls. Incomplete frames are omitted.
 
@@ -37,7 +37,7 @@ def save_grain_movie(
         progress: Whether to show a progress bar.
 
     Raises:
-        SnapshotError: As for `draw`. Also if the file type is unknown, no frame has grains or
+        SnapshotError: `draw` raises the error, the file type is unknown, no frame has grains or
             contacts, or a library is not installed.
 
     Warns:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Picture of grains, and mean power from accumulated work, for figures of flowing grains."""
+"""Parts of figures of flowing grains: picture of the grains, and mean power in a moving window."""
 
 from __future__ import annotations
 
@@ -10,15 +10,15 @@ from matplotlib.collections import EllipseCollection
 
 
 def draw_grains(axes: Axes, grains: pd.DataFrame, colours: str | None = None) -> EllipseCollection:
-    """Draw grains to scale as seen along y. Near grains cover far grains.
+    """Draw grains to scale as discs, seen along y. Near grains cover far grains.
 
     Args:
-        axes: Axes to draw in; they get equal scales and no frame.
-        grains: Columns x, y, z, radius [m], and the column of the colors.
-        colours: Column that gives the colors; None for gray.
+        axes: Axes to draw in. The function sets equal scales and removes the frame.
+        grains: Columns x, y, z, radius [m], and the column `colours`.
+        colours: Column whose values color the grains; None for gray grains.
 
     Returns:
-        The discs, for a color bar.
+        The discs, from which a color bar can be made.
     """
     shown = grains.sort_values("y", ascending=False)
     size = 2 * shown["radius"]
@@ -46,12 +46,12 @@ def mean_power(work: pd.Series, time: pd.Series, window: float) -> pd.Series:
     Args:
         work: Accumulated work (n,), J.
         time: Evenly spaced times (n,), s.
-        window: Length of the window [s], rounded to whole rows. It has at most a quarter of the
+        window: Length of the window [s]. It is rounded to whole rows, at most a quarter of the
             rows.
 
     Returns:
-        One value for each window (m,), m < n. The index is the time at the middle of the window
-        [s].
+        The power of each window (m,), where m < n. The index is the time at the middle of the
+        window [s].
     """
     rows = max(1, min(round(window / (time.iloc[1] - time.iloc[0])), len(time) // 4))
     work, time = work.to_numpy(), time.to_numpy()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Movie of a figure, drawn frame by frame and written as GIF."""
+"""Movie of a matplotlib figure, which is drawn frame by frame and written as a GIF file."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ RESOLUTION = 80  # resolution of the frames, pixels per inch
 
 @attrs.frozen(eq=False)
 class Movie:
-    """Movie of a figure.
+    """Movie whose frames are drawn in one matplotlib figure.
 
     Attributes:
         figure: Figure to draw in.
         frames: Number of frames.
-        draw: Function `draw(number)` that draws the frame of this number in the figure.
+        draw: Function `draw(number)` that draws a frame in `figure`. Frames are counted from 0.
         rate: Frames per second.
     """
 
@@ -31,7 +31,7 @@ class Movie:
 
 
 def save_movie(movie: Movie, path: Path) -> Path:
-    """Write a movie as GIF and return its path."""
+    """Write a movie to a GIF file and return the path of this file."""
     path.parent.mkdir(parents=True, exist_ok=True)
     writer = PillowWriter(fps=movie.rate)
     with writer.saving(movie.figure, path, RESOLUTION):

@@ -17,10 +17,10 @@ PANELS = {
 
 @styled()
 def oblique_figure(table: pd.DataFrame) -> Figure:
-    """Draw tangential restitution, spin and rebound angle, a curve for each tangential law.
+    """Draw tangential restitution, spin and rebound angle, with a curve for each tangential law.
 
     Args:
-        table: Columns tangential, normalized_angle and those of `PANELS`.
+        table: Columns tangential (name of the law), normalized_angle, and the keys of `PANELS`.
     """
     figure, row = subplots(1, 3, figsize=(10.4, 3.4))
     for axes, (quantity, label) in zip(row, PANELS.items(), strict=True):

@@ -8,7 +8,7 @@ import numpy as np
 
 #: Suffix of the columns that hold predicted values.
 PREDICTED = "_predicted"
-#: For each column of a table, its name in words and its SI unit; "" for a pure number.
+#: Name in words and SI unit of the columns of tables; the unit of a pure number is "".
 QUANTITIES = {
     "coefficient_of_restitution": ("coefficient of restitution", ""),
     "force_max": ("largest force", "N"),
@@ -66,12 +66,12 @@ _PREFIXES = {-12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G"
 
 @attrs.frozen
 class Scale:
-    """An axis of a quantity.
+    """Axis of a chart: quantity and unit.
 
     Attributes:
         title: Name of the quantity.
         unit: Unit with its prefix; "" for a pure number.
-        factor: Factor from the SI unit to `unit`.
+        factor: Number by which a value in SI units is multiplied to get the value in `unit`.
     """
 
     title: str
@@ -80,7 +80,7 @@ class Scale:
 
     @property
     def axis(self) -> str:
-        """Title with the unit."""
+        """Title with the unit in parentheses."""
         return f"{self.title} ({self.unit})" if self.unit else self.title
 
 
@@ -90,11 +90,11 @@ def words(column: str) -> str:
 
 
 def scale(column: str, values: object) -> Scale:
-    """Return the axis of a column. Its SI prefix makes the largest value 1 to 1000.
+    """Return the axis of a column, with an SI prefix that makes the largest value 1 to 1000.
 
     Args:
         column: Name of the column. A column whose unit is unknown gets no prefix.
-        values: Numbers in SI units; infinite values and NaN are ignored.
+        values: Values of the column in SI units; infinite values and NaN are ignored.
     """
     name, unit = QUANTITIES.get(column, (words(column), "as in the log"))
     if column not in QUANTITIES or unit in _WITHOUT_PREFIX:
@@ -104,12 +104,12 @@ def scale(column: str, values: object) -> Scale:
 
 
 def prefix(values: object) -> tuple[str, float]:
-    """Return the SI prefix that makes the largest absolute value 1 to 1000, and its factor.
+    """Return the SI prefix that makes the largest absolute value 1 to 1000, and the factor to it.
 
     Prefixes range from p to G. If all values are zero, there is no prefix and the factor is 1.
 
     Args:
-        values: Numbers in a unit without prefix; infinite values and NaN are ignored.
+        values: Values in a unit without prefix; infinite values and NaN are ignored.
     """
     sizes = np.abs(np.asarray(values, float))
     sizes = sizes[np.isfinite(sizes) & (sizes > 0)]

@@ -37,7 +37,7 @@ SCALE_BAR = {
     "title_font_size": 22,
     "label_font_size": 20,
 }
-#: Values at the ends of a color scale; None for the range of the frame.
+#: Values at the ends of a color scale; None to take the range of the values in the frame.
 Span = tuple[float, float] | None
 
 
@@ -55,15 +55,16 @@ def draw(
 
     Args:
         frame: Frame to draw.
-        path: Name of the file; None for no file.
+        path: Name of the PNG file; None to write no file.
         colour: Quantity that colors the grains, a key of `GRAIN_QUANTITIES`.
         contacts: Whether to draw contacts instead of grains, as tubes whose thickness and color
             show the force.
         view: Direction of view, a key of `VIEWS`.
-        size: Pixels along x and y.
-        span: Values at the ends of the color scale, by default the range of the frame. If it is
-            given, a frame without grains or contacts is allowed.
-        bounds: Bounds of the view along x, y and z [m], by default those of the frame.
+        size: Width and height in pixels.
+        span: Values at the ends of the color scale. The default is the range of values in the
+            frame. With `span`, a frame may have no grains or contacts.
+        bounds: Smallest and largest visible x, y and z [m] (6 numbers). The default is the extent
+            of the frame.
 
     Raises:
         SnapshotError: The color or view is unknown, data are missing, or pyvista is not installed.
@@ -125,8 +126,8 @@ def _add_contacts(plotter: pyvista.Plotter, frame: Frame, span: Span) -> None:
         ends[shown].reshape(-1, 3), lines=np.insert(np.arange(2 * len(shown)), slice(0, None, 2), 2)
     )
     chains[scale.axis] = scale.factor * np.repeat(force[shown], 2)
-    # The cross section is proportional to the force. The thickest tube has a third of the radius
-    # of a grain.
+    # The cross-sectional area of a tube is proportional to the force. The radius of the thickest
+    # tube is a third of the largest grain radius.
     chains["thickness"] = radius / 3 * np.sqrt(np.repeat(force[shown], 2) / largest)
     tubes = chains.tube(scalars="thickness", absolute=True, n_sides=8, capping=True)
     _add_coloured(plotter, tubes, scale, "inferno_r")
@@ -135,7 +136,7 @@ def _add_contacts(plotter: pyvista.Plotter, frame: Frame, span: Span) -> None:
 def _add_coloured(
     plotter: pyvista.Plotter, mesh: pyvista.DataSet, scale: ColourScale, colour_map: str
 ) -> None:
-    """Add a mesh that is colored by its values of the scale's quantity, and the color scale."""
+    """Add a mesh, colored by its values of the quantity of the scale, and the color scale."""
     plotter.add_mesh(
         mesh,
         scalars=scale.axis,

@@ -14,14 +14,15 @@ from plastigran.plot.style import COLOURS, styled, subplots
 
 
 def spectra_figure(spectra: Mapping[str, Mapping[str, pd.DataFrame]]) -> Figure:
-    """Draw the number of impacts per class: a panel for each quantity, a curve for each partner.
+    """Draw the number of impacts per class, with a panel per quantity and a curve per partner.
 
-    Classes that are not positive are omitted, because the axes are logarithmic. Classes below the
-    round-off of the largest value are omitted, because they contain impacts without loss.
+    The classes are intervals of the quantity. Classes that are not positive are omitted, because
+    the axes are logarithmic. Classes below the round-off of the largest value are omitted, because
+    they contain impacts without loss.
 
     Args:
-        spectra: Tables by axis title and partner (particles or a wall). Their columns are lower,
-            upper and count; they are sorted by class.
+        spectra: Tables by axis title, and then by partner (particles or a wall). Each table is
+            sorted and has the columns lower and upper, the edges of the class, and count.
     """
     with styled():
         figure, panels = subplots(1, len(spectra), figsize=(10.5, 3.4), sharey=True)
@@ -39,7 +40,7 @@ def spectra_figure(spectra: Mapping[str, Mapping[str, pd.DataFrame]]) -> Figure:
 
 
 def _draw(axes: Axes, classes: pd.DataFrame, label: str, colour: str) -> None:
-    """Draw a step for each class; classes without impacts are gaps."""
+    """Draw a horizontal step for each class, and a gap where the table lacks a class."""
     edges, counts = [], []
     for lower, upper, count in zip(*(classes[n] for n in ("lower", "upper", "count")), strict=True):
         if not edges:

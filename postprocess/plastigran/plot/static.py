@@ -12,13 +12,12 @@ from plastigran.plot.style import COLOURS, MARKERS, law_number
 
 
 def draw(axes: Axes, panel: Panel, colours: Sequence[object] = ()) -> None:
-    """Draw the curves and label the axes.
+    """Draw the curves of a panel and label the axes.
 
     Args:
         axes: Axes to draw in.
         panel: Data to draw.
-        colours: Colors of the curves, one for each; by default the color of the law, or
-            `Curve.colour`.
+        colours: One color for each curve. By default, `Curve.law` or `Curve.colour` sets the color.
     """
     areas = [curve for curve in panel.curves if curve.look == "area"]
     for below in (False, True):

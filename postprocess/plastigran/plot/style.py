@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Style of figures: settings of matplotlib, colors, titles and files."""
+"""Style of figures: settings of matplotlib, colors, titles of laws, and files."""
 
 from __future__ import annotations
 
@@ -21,8 +21,9 @@ STYLE = {
     "legend.frameon": False,
     "svg.hashsalt": "plastigran",
 }
-# Colors that color-blind readers can distinguish (Okabe & Ito, then Tol's muted): one for each law
-# of a family, see `law_number`, and gray for unknown laws. Black is for reference data.
+# Colors that color-blind readers can distinguish (palettes of Okabe & Ito and of Tol). `law_number`
+# assigns a color to each law; the last color, gray, is for unknown laws. Black is for reference
+# data.
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#8C564B", "#DC267F"]
 COLOURS += ["#882255", "#999933", "#332288", "#44AA99", "#661100", "#AA4499"]
 COLOURS += ["#117733", "#7F7F7F"]
@@ -46,9 +47,10 @@ def law_number(law: str) -> int:
     """Return the index of a law in `COLOURS` and `MARKERS`, the same in every figure.
 
     Laws of one family have different indices. The laws for one shape of bodies form two families:
-    laws without adhesion that are elastic at first touch, and all others. Unknown laws are gray.
+    laws without adhesion that are elastic at first touch, and all other laws. An unknown law has
+    the index of gray.
     """
-    # Imported here, because figures without laws do not need the compiled module.
+    # Import the compiled module here, because figures without laws work without this module.
     from plastigran import laws
 
     if law not in laws.LAWS:
@@ -67,17 +69,17 @@ def law_colour(law: str) -> str:
 
 
 def styled(changes: Mapping[str, object] | None = None) -> AbstractContextManager[None]:
-    """Return a context manager, or decorator, that applies the style and further settings."""
+    """Return a context manager (or decorator) that applies `STYLE` and further settings."""
     return matplotlib.rc_context(STYLE | dict(changes or {}))
 
 
 def subplots(
     rows: int = 1, columns: int = 1, *, figsize: tuple[float, float], **arrangement: object
 ) -> tuple[Figure, Axes | np.ndarray]:
-    """Return a figure without a window, and one Axes or an array of them.
+    """Return a figure without a window, and its Axes (an array of Axes if there are several).
 
     Args:
-        rows, columns: Numbers of axes.
+        rows, columns: Numbers of rows and columns of Axes.
         figsize: Width and height [inch].
         **arrangement: Keywords of `matplotlib.figure.Figure.subplots`, such as height_ratios.
     """
@@ -103,7 +105,7 @@ def save(
 
     Args:
         figure: Figure to write.
-        path: Path of the files; its suffix is replaced.
+        path: Path of the files. `suffixes` replace its suffix.
         suffixes: Suffixes of the files.
         resolution: Dots per inch of bitmaps.
     """
@@ -111,6 +113,6 @@ def save(
     files = [path.with_suffix(suffix) for suffix in suffixes]
     for file in files:
         metadata = {"Date": None} if file.suffix == ".svg" else None
-        with styled():  # the style sets the hash salt, which makes SVG files reproducible
+        with styled():  # STYLE has a fixed svg.hashsalt, so that SVG files are reproducible
             figure.savefig(file, dpi=resolution, metadata=metadata)
     return files

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Write frames as XML files of VTK, and a file that lists them by time.
+"""Write frames as XML files of VTK, and a file that lists these files by time.
 
 ParaView opens the list (.pvd). OVITO and ParaView open the files (.vtp). This module needs pyvista.
 """
@@ -14,7 +14,7 @@ import numpy as np
 
 from plastigran.plot.frame_files import Frame, read_vtk
 
-#: For columns of the files of LIGGGHTS, their names in the written files. All are in SI units.
+#: Columns that are renamed: names in the files of LIGGGHTS, and names in the written files.
 GRAINS = {"v": "velocity", "f_plastic_work": "plastic_work"}
 CONTACTS = {"delta": "overlap"}
 
@@ -22,7 +22,7 @@ CONTACTS = {"delta": "overlap"}
 def contact_table(frame: Frame) -> dict[str, np.ndarray]:
     """Return the columns of the contacts of a frame, each (N,) or (N, 3).
 
-    They are id1, id2, overlap [m], radius_eff [m] and the other columns of the file.
+    The columns are id1, id2, overlap [m], radius_eff [m] and the further columns of the VTK file.
     """
     contacts, grains = read_vtk(frame.contacts), read_vtk(frame.grains)
     if not contacts.n_cells:
@@ -36,9 +36,9 @@ def contact_table(frame: Frame) -> dict[str, np.ndarray]:
 
 
 def write_grains(frame: Frame, path: Path) -> None:
-    """Write the grains of a frame: points with id, type, radius [m] and velocity [m/s].
+    """Write the grains of a frame as points with id, type, radius [m] and velocity [m/s].
 
-    A run with energy balance adds plastic_work [J].
+    For a run with energy balance, the points also have plastic_work [J].
     """
     grains = read_vtk(frame.grains)
     for old, new in GRAINS.items():
@@ -50,8 +50,8 @@ def write_grains(frame: Frame, path: Path) -> None:
 def write_contacts(frame: Frame, path: Path, more: Mapping[str, np.ndarray]) -> None:
     """Write the contacts of a frame as lines.
 
-    Columns are id1, id2, overlap [m], force, force_normal, force_tangential [N] and the columns
-    `more`, each (N,).
+    The columns are id1, id2, overlap [m], force, force_normal, force_tangential [N] and the columns
+    `more`, each (N,) for N contacts.
     """
     contacts = read_vtk(frame.contacts)
     for old, new in CONTACTS.items():
@@ -63,7 +63,7 @@ def write_contacts(frame: Frame, path: Path, more: Mapping[str, np.ndarray]) -> 
 
 
 def write_mesh(frame: Frame, path: Path) -> None:
-    """Write the walls of a frame: triangles with their IDs."""
+    """Write the walls of a frame as triangles with IDs."""
     surface = read_vtk(frame.mesh).extract_surface(algorithm="dataset_surface")
     surface.save(path, compression=None)
 

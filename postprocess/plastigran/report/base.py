@@ -10,8 +10,8 @@
         compute=compute,
     )
 
-`compute(progress, coarse)` returns `Findings` with exactly these tables and figures. Use
-`plastigran.report.computing.compute_all` for finite elements; it runs one computation per core.
+`compute(progress, coarse)` must return `Findings` with exactly the declared tables and figures. For
+finite elements, use `plastigran.report.computing.compute_all`, which runs one computation per core.
 """
 
 from __future__ import annotations
@@ -27,16 +27,17 @@ from matplotlib.figure import Figure
 from plastigran.plot.movie import Movie, save_movie
 from plastigran.plot.style import save
 
-RESOLUTION = 100  # resolution of figures, dots per inch; keeps the pictures of a page below 150 kB
+RESOLUTION = 100  # dots per inch of figures, so that the pictures of a page are below 150 kB
 
 
 @attrs.frozen(eq=False)
 class Findings:
     """Computed tables, figures and movies by name.
 
-    A row of a table contains one quantity. The first columns identify it, such as `quantity` and
-    `unit`. Columns of numbers follow, such as `paper`, `finite elements`, the name of a law, or
-    `LIGGGHTS`. Names of columns of differences end in "(%)", see `add_difference`.
+    A row of a table contains values of one quantity. The first columns, such as `quantity` and
+    `unit`, identify the quantity. Columns of numbers follow, such as `paper`, `finite elements`,
+    the name of a law, or `LIGGGHTS`. Names of columns with differences end in "(%)", see
+    `add_difference`.
     """
 
     tables: Mapping[str, pd.DataFrame]
@@ -44,7 +45,7 @@ class Findings:
     movies: Mapping[str, Movie] = attrs.field(factory=dict)
 
     def write(self, folder: Path) -> list[Path]:
-        """Write tables as CSV, figures as PNG and movies as GIF; return the files."""
+        """Write tables as CSV, figures as PNG and movies as GIF; return the paths of the files."""
         folder.mkdir(parents=True, exist_ok=True)
         files = [folder / f"{name}.csv" for name in self.tables]
         for file, table in zip(files, self.tables.values(), strict=True):
@@ -56,16 +57,16 @@ class Findings:
 
 @attrs.frozen(kw_only=True)
 class Evidence:
-    """Computed tables and figures, and the pages that show them.
+    """Declaration of computed tables and figures, and of the pages that show them.
 
     Attributes:
-        name: Short name, as in its command.
+        name: Short name, as on the command line.
         title: Title of the results.
         tables, figures, movies: Names of the results.
-        data: Names of further tables, which no page shows.
-        pages: Names of the page files; together they have one place for each of `tables`.
+        data: Names of further tables, which are written as CSV files but shown on no page.
+        pages: File names of the pages. Together, the pages have one place for each of `tables`.
         pictures: Folder of the pictures, relative to the folder of the pages.
-        compute: Function `compute(progress, coarse)` that returns the results.
+        compute: Function `compute(progress, coarse)` that returns the `Findings`.
     """
 
     name: str
@@ -89,11 +90,12 @@ class Evidence:
 
         Args:
             progress: Whether to show progress bars.
-            coarse: Whether to use coarse meshes and fewer cases. This takes some seconds, with
-                errors of some per cent.
+            coarse: Whether to use coarse meshes and fewer cases. A coarse computation takes some
+                seconds and has errors of some per cent.
 
         Raises:
-            ValueError: A computation failed, or the names of the results are not as declared.
+            ValueError: A computation failed, or the names of the results differ from the declared
+                names.
             EngineError: LIGGGHTS stopped with an error.
         """
         findings = self.compute(progress, coarse)
@@ -106,10 +108,10 @@ class Evidence:
 
 
 def add_difference(table: pd.DataFrame, of: str, against: str) -> pd.DataFrame:
-    """Return the table with a column of differences after column `of`.
+    """Return the table with a column of differences, inserted after column `of`.
 
-    The difference of column `of` from column `against` is in per cent of `against`. It is empty
-    where `against` has no value.
+    The difference of column `of` from column `against` is in per cent of `against`. The cell is
+    empty where `against` is zero or has no value.
     """
     position = table.columns.get_loc(of) + 1
     values, references = (table[name].astype(float) for name in (of, against))

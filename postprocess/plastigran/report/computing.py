@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Run independent finite-element computations in parallel and keep them on disk."""
+"""Run independent finite-element computations in parallel."""
 
 from __future__ import annotations
 
@@ -23,12 +23,13 @@ Key = TypeVar("Key", bound=Hashable)
 def compute_all(
     computations: Mapping[Key, Callable[[], Any]], progress: bool = False
 ) -> dict[Key, Any]:
-    """Return the results by name, computed in one process per core.
+    """Run computations, one per core at a time, and return their results by name.
 
     Args:
-        computations: Functions by name that other processes can import, usually a `partial` of
-            `plastigran.fem.cache.cached`. Put the longest first to use the cores well.
-        progress: Whether to show a bar.
+        computations: Functions by name. Other processes must be able to import the functions. Most
+            are a `partial` of `plastigran.fem.cache.cached`, which stores results on disk. Put the
+            longest computation first to use the cores well.
+        progress: Whether to show a progress bar.
 
     Raises:
         ValueError: A computation did not converge or stopped early; the message names it.
@@ -36,7 +37,7 @@ def compute_all(
     results: dict[Key, Any] = {}
     pool = ProcessPoolExecutor(
         os.cpu_count(),
-        # Fork is unsafe, because this process may have threads.
+        # The start method "fork" is unsafe, because this process may have threads.
         mp_context=get_context("spawn"),
         initializer=_start_worker,
         initargs=(folder(),),
@@ -60,7 +61,7 @@ def compute_all(
 
 
 def _start_worker(cache: Path) -> None:
-    """Prepare a worker: set the folder of the cache, and print warnings as plain lines.
+    """Prepare a worker process: set the folder of the cache, and print warnings as plain lines.
 
     The worker ends when the process that started it ends, and immediately on Ctrl-C.
     """
@@ -71,7 +72,7 @@ def _start_worker(cache: Path) -> None:
 
 
 def _end_with_parent() -> None:
-    # A parent process that is killed does not close the pool. Without this thread, an idle worker
-    # would then wait forever.
+    # If the parent process is killed, it does not close the pool. Without this thread, an idle
+    # worker process would then wait forever.
     parent_process().join()
     os._exit(1)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Write tables and pictures into the pages that show evidence.
 
-A table is written between the lines `<!-- table NAME -->` and `<!-- end -->` of a page. Tables
-without such a place are only written as CSV files.
+The place of a table on a page is between the lines `<!-- table NAME -->` and `<!-- end -->`. A
+table without a place is only written as a CSV file.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ PLACE = re.compile(r"(<!-- table (\w+) -->\n)(.*?)(<!-- end -->)", re.DOTALL)
 
 
 def read_pages(evidence: Evidence, folder: Path) -> dict[Path, str]:
-    """Return the text of the pages of evidence that are in a folder.
+    """Return the text of the pages of evidence by path. The pages are in one folder.
 
     Raises:
         ValueError: A page is missing, or has a place for a table that the evidence does not have.
@@ -53,7 +53,7 @@ def read_tables(text: str) -> dict[str, pd.DataFrame]:
 
 
 def fill(text: str, tables: Mapping[str, pd.DataFrame]) -> str:
-    """Return the text of a page with the tables written into their places."""
+    """Return the text of a page after writing each table into its place."""
     return PLACE.sub(lambda place: place[1] + to_markdown(tables[place[2]]) + place[4], text)
 
 
@@ -63,14 +63,13 @@ def publish(
     """Write tables into the pages of evidence and copy its pictures; return the files.
 
     Args:
-        evidence: Evidence with the names of the pages.
-        findings: Results, with the tables to write.
+        evidence: Evidence that names the pages and the folder of pictures.
+        findings: Computed results with the tables to write.
         written: Files that `findings.write` wrote. The pictures among them are copied.
-        folder: Folder of the pages. `evidence.pictures`, the folder of the pictures, is relative to
-            it.
+        folder: Folder of the pages. The path `evidence.pictures` is relative to this folder.
 
     Raises:
-        ValueError: As for `read_pages`.
+        ValueError: `read_pages` raises the error.
     """
     pages = read_pages(evidence, folder)
     for path, text in pages.items():
@@ -81,7 +80,7 @@ def publish(
 
 
 def to_markdown(table: pd.DataFrame) -> str:
-    """Return a table in Markdown: numbers with four digits, percentages with two decimals."""
+    """Return a table in Markdown, with four digits for numbers and two decimals for percentages."""
     lines = [list(table.columns), ["---"] * len(table.columns)]
     for row in table.itertuples(index=False):
         lines.append([_cell(name, value) for name, value in zip(table.columns, row, strict=True)])

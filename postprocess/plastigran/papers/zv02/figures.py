@@ -60,8 +60,8 @@ def restitution_figure(computed: Computed) -> Figure:
 def collisions_figure(computed: Computed) -> Figure:
     """Draw force versus time during impacts, in one panel for each speed.
 
-    The curves are finite elements with and without plastic flow, and in LIGGGHTS Hertz and the law
-    of the paper.
+    The curves are finite elements with and without plastic flow, and LIGGGHTS runs with `hertz` and
+    with the law of the paper.
     """
     speeds = list(computed.impacts)
     figure, panels = subplots(1, len(speeds), figsize=(2.6 * len(speeds) + 0.4, 3.4), squeeze=False)

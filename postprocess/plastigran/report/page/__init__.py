@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""One HTML page for results of any kind. The page needs no network access and no other files.
+"""One HTML page that shows results of any kind. The page needs no network and no other files.
 
-`collect` finds results. The `*_section` modules decide what the page shows of a folder. The
-`*_charts` modules and `trust` make the data of charts, `movie` the data of the view of grains.
-`charts` draws charts. `render` writes the page from `templates`, with the styles and scripts of
-`assets`.
+`collect` finds folders with results. The `*_section` modules make the section of the page for one
+folder. The `*_charts` modules and `trust` make the data of charts. `movie` makes the data of the
+three-dimensional view of grains. `charts` draws charts. `render` writes the page from `templates`,
+with the styles and scripts of `assets`.
 """
 
 from plastigran.report.page.render import write_report

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Section of a bulk run, finished or not."""
+"""Section of the page for a finished or unfinished bulk run."""
 
 from __future__ import annotations
 
@@ -37,14 +37,15 @@ from plastigran.report.page.sections import Section, number, span, version_facts
 
 #: Settings shown at the top of the section.
 _HEAD = ("law", "material", "radius", "timestep")
-#: Settings that the page takes from the log, because a user's deck may name them differently.
+#: Values that the page takes from the log of a user's deck, because a setting of the deck with this
+#: name may have another meaning.
 _FROM_LOG = ("law", "timestep")
 #: Unit systems whose time is in seconds.
 _SECONDS = ("si", "cgs")
 
 
 def make(results: Results) -> Section:
-    """Return the section of a run of a bulk deck."""
+    """Return the section of the page for a bulk run."""
     folder = results.folder
     try:
         record = read_record(folder)
@@ -91,7 +92,7 @@ def make(results: Results) -> Section:
 
 
 def _progress(path: Path, log: str) -> str:
-    """Return a sentence on the last step of an unfinished run."""
+    """Return a sentence about the last step of an unfinished run."""
     if not log:
         return f"The run has not started: {path.name} is missing or empty."
     at = LogFollower(path).read()
@@ -106,7 +107,7 @@ def _progress(path: Path, log: str) -> str:
 
 
 def _verdict(run: BulkRun | None, warnings: int) -> tuple[str, str]:
-    """Return the state of a run and the state in words, with the number of warnings."""
+    """Return the state of a run, and the state in words with the number of warnings."""
     warned = f", {warnings} warning{'' if warnings == 1 else 's'}" if warnings else ""
     if run is None or not run.finished:
         return "unfinished", "not finished"
@@ -121,8 +122,8 @@ def _verdict(run: BulkRun | None, warnings: int) -> tuple[str, str]:
 def _timestep(record: dict[str, Any], log: Path) -> float | None:
     """Return the time step of a run [s]; None if it is unknown or changes.
 
-    For a user's deck, the commands determine the time step, because a setting `timestep` may have
-    another meaning.
+    For a user's deck, the `timestep` commands determine the time step, because a setting `timestep`
+    may have another meaning.
     """
     if record.get("own"):
         timesteps = {run.timestep for run in read_runs(log)} if log.is_file() else set()
@@ -141,10 +142,10 @@ def _movie(folder: Path, clock: Clock) -> tuple[GrainMovie | None, list[str]]:
 
 
 def _clock(timestep: float | None, run: BulkRun | None) -> Clock:
-    """Return a function from step to time as in the charts of the run [s]; None if unknown.
+    """Return a function that converts a step to the time of the charts [s]; None if unknown.
 
-    A supplied deck has one time step, and its charts may count time from a later step. A user's
-    deck may have several time steps; its series contains all its `run` commands.
+    A supplied deck has one time step, but its charts may count the time from a later step than 0. A
+    user's deck may have several time steps; the time then follows from the series of the run.
     """
     series = run.series if run else pd.DataFrame()
     timed = len(series) > 0 and {"step", "time"} <= set(series)
@@ -157,7 +158,7 @@ def _clock(timestep: float | None, run: BulkRun | None) -> Clock:
 
 
 def _log_facts(log: str, timestep: float | None) -> dict[str, str]:
-    """Return facts on contacts and time step from the log of a user's deck."""
+    """Return facts about contact models and time step from the log of a user's deck."""
     facts = {}
     if models := find_models(log):
         facts["law"] = ", ".join(map(title, models))
@@ -175,7 +176,7 @@ def _facts(
     declared: dict[str, Declaration],
     log_facts: dict[str, str],
 ) -> dict[str, str]:
-    """Return the facts of a run. Facts from the log are for a user's deck."""
+    """Return the facts about a run, by name. `log_facts` are used only for a user's deck."""
     settings, user_deck = record["settings"], record.get("own")
     facts = {"deck": record["deck"]}
     for name in _HEAD:
@@ -211,7 +212,7 @@ def _with_unit(value: str, declaration: Declaration | None) -> str:
 def _settings(
     settings: dict[str, str], declared: dict[str, Declaration], changed: dict[str, str]
 ) -> list[tuple[str, str, str]]:
-    """Return settings with unit and meaning; changed settings come first."""
+    """Return name, value with unit, and meaning of the settings. Changed settings come first."""
     names = [name for name in settings if name not in PLACES]
     return [
         (

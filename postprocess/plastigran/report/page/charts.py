@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Interactive charts: panels drawn with plotly. The page adds the colors."""
+"""Interactive charts, drawn with plotly. The script of the page sets the colors."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from plotly.subplots import make_subplots
 
 from plastigran.plot.chart import DASHES, Curve, Panel, is_below
 
-#: Fraction of the height for the upper of two panels.
+#: Height of the upper of two panels as a fraction of the height of the chart.
 UPPER = 0.76
-#: Settings of plotly for each `Curve.look`: mode, marker and line.
+#: Settings of plotly for each value of `Curve.look`: mode, marker and line.
 LOOKS = {
     "line": ("lines", None, {"width": 1.6}),
     "area": ("lines", None, {"width": 0.5}),
@@ -32,13 +32,14 @@ class Chart:
 
     Attributes:
         name: Name of the chart, unique in its section.
-        views: One or two panels with the same x axis for each view, by the words in the menu.
+        views: Views of the chart, by their words in the menu. A view has one or two panels, which
+            share the x axis.
         description: Description for screen readers.
         caption: One or two sentences below the chart.
         menu: Label of the menu.
-        start: View that is shown first; by default the first of `views`.
+        start: View that the page shows first; by default the first of `views`.
         height: Height of the chart [px].
-        by_time: Whether a box shows the values of all curves at the time at the mouse pointer.
+        by_time: Whether a box shows the values of all curves at the time under the mouse pointer.
     """
 
     name: str
@@ -51,7 +52,7 @@ class Chart:
     by_time: bool = False
 
     def to_json(self) -> dict[str, Any]:
-        """Return traces and layouts of the views for the script of the page."""
+        """Return the plotly traces and layout of each view, for the script of the page."""
         views = {}
         for name, panels in self.views.items():
             drawn = draw(panels, self.by_time).to_plotly_json()
@@ -99,7 +100,7 @@ def _logarithmic() -> dict[str, Any]:
 
 
 def _trace(panel: Panel, curve: Curve, by_time: bool) -> go.Scatter:
-    """Return the trace of a curve. Its `meta` contains the law or the color index for the page."""
+    """Return the plotly trace of a curve; `meta` has the law or the color index for the page."""
     numeric = curve.x.dtype.kind in "iuf"
     mode, marker, line = LOOKS[curve.look]
     if curve.look == "line":

@@ -14,22 +14,23 @@ from plastigran.experiments.record import STUDY, TABLE
 
 #: Largest depth of subfolders that are searched.
 DEPTH = 4
-#: Subfolders that are parts of a run and are not searched.
+#: Names of subfolders that are parts of a run and are therefore not searched.
 _PARTS_OF_RUNS = {"runs", "frames", "figures", "deck"}
-#: Categories of results, in the order of the page. Categories whose laws can be hidden come first.
+#: Categories of results in the order of the page. The page lets the reader hide laws in the first
+#: categories.
 ORDER = ("sweep", "tables", "nothing", "bulk")
-#: Suffixes of the files that other commands write.
+#: Suffixes of the files in a folder of category "tables".
 _SUFFIXES = {".csv", ".png", ".svg", ".gif", ".in"}
 
 
 @attrs.frozen
 class Results:
-    """Folder of results.
+    """A folder with results of one command.
 
     Attributes:
         category: "sweep", "bulk" or "tables"; "nothing" for a folder without results.
         folder: Path of the folder.
-        title: Path relative to the given folder.
+        title: Path of the folder, relative to the folder that the user gave.
     """
 
     category: str
@@ -38,7 +39,7 @@ class Results:
 
 
 def collect(folders: Iterable[str | Path]) -> list[Results]:
-    """Return the results in folders and their subfolders, by category, argument and start time.
+    """Return the results in folders and subfolders, sorted by category, argument and start time.
 
     Raises:
         ValueError: A folder does not exist, or no folder is given.
@@ -64,7 +65,7 @@ def collect(folders: Iterable[str | Path]) -> list[Results]:
 
 
 def _category(folder: Path) -> str | None:
-    """Return the category of results in a folder, without its subfolders; None without results."""
+    """Return the category of the results in a folder (not in subfolders); None without results."""
     if (folder / RECORD).is_file():
         return "bulk"
     if any((folder / name).exists() for name in (TABLE, STUDY, "runs")):
@@ -75,7 +76,7 @@ def _category(folder: Path) -> str | None:
 
 
 def _start_time(results: Results) -> tuple[float, str]:
-    """Return the time of the oldest file, and the title to sort equal times."""
+    """Return a sort key: the time of the oldest file in the folder, then the title."""
     times = [file.stat().st_mtime for file in results.folder.iterdir() if file.is_file()]
     return min(times, default=0.0), results.title
 

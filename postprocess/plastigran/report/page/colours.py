@@ -7,7 +7,7 @@ import colorsys
 
 from matplotlib.colors import to_hex, to_rgb
 
-#: Smallest relative luminance of a line on a dark background, for a contrast ratio of 4.5.
+#: Smallest relative luminance that gives a line on a dark background a contrast ratio of 4.5.
 LEAST = 0.24
 
 
@@ -18,7 +18,7 @@ def luminance(colour: str) -> float:
 
 
 def on_dark(colour: str) -> str:
-    """Return the same hue, light enough for a dark background. Gray levels are inverted."""
+    """Return a color of equal hue, light enough for a dark background. Gray levels are inverted."""
     hue, lightness, saturation = colorsys.rgb_to_hls(*to_rgb(colour))
     if not saturation:
         return to_hex(3 * [0.9 - 0.6 * lightness])

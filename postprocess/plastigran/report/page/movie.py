@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Pack the frames of a run for the page's three-dimensional view of grains."""
+"""Pack the frames of a run for the three-dimensional view of grains on the page."""
 
 from __future__ import annotations
 
@@ -17,20 +17,22 @@ from plastigran.plot.frame_files import Frame, SnapshotError, find_frames
 from plastigran.plot.frames import GrainFrame, read_frames
 from plastigran.plot.quantities import scale
 
-#: Largest total number of grains in all frames. A grain takes 14 bytes before compression.
+#: Largest number of grains, summed over all frames. A grain takes 14 bytes before compression.
 MOST_GRAINS = 90_000
-#: Largest number of damaged files that a sentence names.
+#: Largest number of damaged files that a message names.
 MOST_NAMED = 5
-#: Percentile of the values at the end of the color scale. A few grains may have far larger values.
+#: Percentile of the values at which the color scale ends, because a few grains may have far larger
+#: values.
 SCALE_PERCENTILE = 99.5
 _LARGEST = 65535  # largest 16-bit number
-#: Quantities that can color grains: attribute of a frame, name, and column with the same unit.
+#: Quantities that can color grains. For each attribute of a frame: name in words, and column of a
+#: table with the same unit.
 COLOURED = {
     "plastic_work": ("plastic work", "plastic"),
     "force": ("largest contact force", "force"),
     "speed": ("speed", "speed"),
 }
-#: Function from step number to the time of the charts [s]; None to show step numbers instead.
+#: Function that converts a step number to the time of the charts [s]; None to show step numbers.
 Clock = Callable[[int], float] | None
 
 
@@ -39,10 +41,10 @@ class GrainMovie:
     """Packed frames of a run.
 
     Attributes:
-        data: A line of JSON followed by 16-bit numbers, packed by `pack`.
+        data: A line of JSON followed by 16-bit numbers, compressed by `pack`.
         frames: Number of frames.
-        colours: Words for the quantities that can color grains, by name.
-        walls: Whether there are walls.
+        colours: Quantities that can color grains: names in words by attribute.
+        walls: Whether the frames have walls.
         caption: Caption of the view.
     """
 
@@ -54,7 +56,7 @@ class GrainMovie:
 
 
 def pack(content: bytes) -> str:
-    """Pack content for the page: gzip, in base64."""
+    """Compress content with gzip and encode it in base64, for the page."""
     return base64.b64encode(gzip.compress(content, 9, mtime=0)).decode()
 
 
@@ -62,7 +64,7 @@ def pack_movie(folder: Path, clock: Clock) -> tuple[GrainMovie | None, list[str]
     """Pack the frames of a run.
 
     Returns:
-        The movie, or None without frames; and a sentence if frames are damaged.
+        The movie, or None if there are no frames; and a list with a sentence if frames are damaged.
 
     Raises:
         SnapshotError: A frame lacks a column, no frame has grains, or pyvista is not installed.
@@ -101,7 +103,12 @@ def pack_movie(folder: Path, clock: Clock) -> tuple[GrainMovie | None, list[str]
 
 
 def _without_damaged_ends(files: list[Frame]) -> tuple[list[Frame], int, list[Path]]:
-    """Return frames whose first and last are complete, their most grains, and damaged files."""
+    """Remove damaged frames from both ends of a list of frames.
+
+    Returns:
+        The remaining frames, the larger number of grains in the first and last of these frames, and
+        the damaged files.
+    """
     most, damaged = 0, []
     for end in (-1, 0):
         while files:
@@ -130,8 +137,8 @@ def _left_out(damaged: list[Path]) -> list[str]:
 def _select(files: list[Frame], most: int) -> tuple[list[Frame], int]:
     """Select frames with at most `MOST_GRAINS` grains in total, including the first and last.
 
-    A frame has up to `most` grains. If a single frame exceeds `MOST_GRAINS`, the returned stride is
-    larger than one: the page then contains one of `stride` grains.
+    A frame has up to `most` grains. The function also returns a stride: the page contains one of
+    `stride` grains. The stride exceeds 1 only if a single frame has more than `MOST_GRAINS` grains.
     """
     count = max(1, MOST_GRAINS // max(most, 1))
     stride = max(1, -(-most // MOST_GRAINS))
@@ -150,7 +157,7 @@ def _thin(frame: GrainFrame, stride: int) -> GrainFrame:
 
 
 def _numbers(frames: Sequence[GrainFrame], colours: list[str], clock: Clock) -> bytes:
-    """Return frames as a line of JSON and 16-bit numbers, read by `unpackFrames` in movie.js."""
+    """Return frames as a line of JSON and 16-bit numbers; `unpackFrames` in movie.js reads them."""
     corners = np.concatenate([np.r_[f.positions, f.walls.reshape(-1, 3)] for f in frames])
     low, size = corners.min(axis=0), max(float(np.ptp(corners, axis=0).max()), 1e-300)
     radius = max(float(f.radii.max(initial=0)) for f in frames) or 1.0

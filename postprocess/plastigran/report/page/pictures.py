@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figures of earlier commands, packed for a page."""
+"""Figures that earlier commands wrote, encoded for a page."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from xml.etree import ElementTree
 import attrs
 from PIL import Image, ImageSequence
 
-#: Largest SVG file in a page [bytes]. The page contains the bitmap instead of a larger file.
+#: Largest SVG file in a page [bytes]. If an SVG file is larger, the page contains the bitmap.
 LARGEST_SVG = 120_000
 #: Largest bitmap in a page [bytes].
 LARGEST_BITMAP = 500_000
@@ -20,17 +20,17 @@ LARGEST_BITMAP = 500_000
 WIDE = 1.7
 #: MIME types by suffix, preferred types first.
 _MIME_TYPES = {".svg": "image/svg+xml", ".png": "image/png", ".gif": "image/gif"}
-#: Exceptions that damaged pictures raise. A damaged SVG file raises SyntaxError.
+#: Exceptions that reading a damaged picture raises. A damaged SVG file raises SyntaxError.
 _DAMAGE = (OSError, SyntaxError, ValueError, IndexError, Image.DecompressionBombError)
 
 
 @attrs.frozen
 class Picture:
-    """Figure of a section.
+    """Figure in a section of a page.
 
     Attributes:
-        name: Name of the file in words.
-        source: Content as a data URL.
+        name: Name of the file without suffix, in words.
+        source: Content of the file as a data URL.
         light: Whether the background is white. The page darkens such a figure in its dark mode.
         wide: Whether the figure takes the full width of the page.
     """
@@ -42,9 +42,10 @@ class Picture:
 
 
 def read_pictures(folder: Path, replaced: Collection[str] = ()) -> tuple[list[Picture], list[str]]:
-    """Return the figures in a folder, and sentences on figures that are omitted.
+    """Return the figures in a folder, and sentences about omitted figures.
 
-    `replaced` are names without suffix of figures that the page shows in another form.
+    `replaced` are names (without suffix) of figures that the page shows as interactive charts or as
+    the view of grains.
     """
     if not folder.is_dir():
         return [], []
@@ -67,7 +68,7 @@ def read_pictures(folder: Path, replaced: Collection[str] = ()) -> tuple[list[Pi
 
 
 def _choose(folder: Path, stem: str) -> Path | None:
-    """Return the file of a figure for the page: a small SVG, otherwise a bitmap."""
+    """Return the file of a figure for the page: the SVG file if it is small, otherwise a bitmap."""
     for suffix in _MIME_TYPES:
         file = folder / (stem + suffix)
         limit = LARGEST_SVG if suffix == ".svg" else LARGEST_BITMAP
@@ -77,7 +78,7 @@ def _choose(folder: Path, stem: str) -> Path | None:
 
 
 def _is_wide(file: Path) -> bool:
-    """Read a picture fully, and return whether it is wide. Raise `_DAMAGE` if it is damaged."""
+    """Return whether a picture is wide. Read the whole file; a damaged file raises `_DAMAGE`."""
     if file.suffix == ".svg":
         content = file.read_bytes()
         ElementTree.fromstring(content)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Write the page: sections from templates, with styles, scripts and data included."""
+"""Write the HTML page from templates; the page includes styles, scripts and data."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ from plastigran.report.page.colours import on_dark
 from plastigran.report.page.movie import pack
 from plastigran.report.page.sections import Section, empty_section, number
 
-#: Text that identifies a page of this program.
+#: Text in the page that identifies a report of this program.
 GENERATOR = "plastigran report"
 _MAKERS: dict[str, Callable[[Results], Section]] = {
     "bulk": bulk_section.make,
@@ -40,11 +40,11 @@ _MAKERS: dict[str, Callable[[Results], Section]] = {
 def write_report(
     folders: Iterable[str | Path], path: str | Path, title: str = "", force: bool = False
 ) -> Path:
-    """Write one page on the results in some folders.
+    """Write an HTML page about the results in one or more folders.
 
     Args:
-        folders: Folders of runs, or folders that contain such folders.
-        path: Page to write. An earlier report is replaced when the new one is complete.
+        folders: Folders with results, or folders whose subfolders have results.
+        path: Path of the page. An earlier report is replaced when the new report is complete.
         title: Heading of the page; by default the names of the folders.
         force: Whether to overwrite a file that is not a report.
 
@@ -64,7 +64,7 @@ def write_report(
 
 
 def _replace(path: Path, text: str) -> None:
-    """Write a file completely or not at all: write a temporary file and move it."""
+    """Write a temporary file and rename it, so that `path` never has an incomplete file."""
     path = path.resolve()  # replace the target of a symbolic link, not the link
     draft = path.with_name(f".{path.name}.{os.getpid()}.new")
     try:
@@ -80,7 +80,7 @@ def _replace(path: Path, text: str) -> None:
 
 
 def _check_page(path: Path, force: bool) -> None:
-    """Check that the name ends in .html, and that only a report is overwritten without `force`."""
+    """Check that the name ends in .html. Without `force`, only a report may be overwritten."""
     if path.suffix != ".html":
         raise ValueError(f"{path} cannot be a page: its name must end in .html")
     if path.exists() and not force:
@@ -96,7 +96,7 @@ def make_section(results: Results) -> Section:
 
 
 def render(sections: list[Section], title: str) -> str:
-    """Return the page as text, with the sections in the given order below the title."""
+    """Return the HTML text of the page, with the sections in the given order."""
     sections = [attrs.evolve(section, name=f"run-{k}") for k, section in enumerate(sections)]
     charts = {f"{s.name}-{chart.name}": chart.to_json() for s in sections for chart in s.charts}
     law_colours = {law: law_number(law) for section in sections for law in section.laws}

@@ -23,9 +23,10 @@ class Table:
     Attributes:
         title: Title of the table.
         head: Names of the columns.
-        rows: Cells.
-        laws: Law of each row, or None. The page hides the rows of laws that are switched off.
-        open: Whether the table is unfolded at first.
+        rows: Texts of the cells, by row.
+        laws: Law of each row, or None. The page hides the rows of a law that the reader switches
+            off.
+        open: Whether the page shows the table unfolded at first.
     """
 
     title: str
@@ -43,19 +44,19 @@ class Section:
         results: Folder of the results.
         state: "passed", "failed", "unfinished", or "done" if there are no checks.
         verdict: State in a few words.
-        missing: Sentences on missing results and failures.
-        notes: Sentences on quantities that the deck could not measure or check.
-        warnings: Warnings of LIGGGHTS, and warnings on the use of a law.
+        missing: Sentences about missing results and failures.
+        notes: Sentences about quantities that the deck could not measure or check.
+        warnings: Warnings of LIGGGHTS, and warnings about the use of a law.
         facts: Facts about the run, by name.
         settings: Further settings: name, value with unit, meaning.
         checks: Rows of `BulkRun.checks`.
-        charts: Charts in the order of the page.
-        movie: View of the grains.
-        pictures: Figures of earlier commands.
+        charts: Interactive charts in the order of the page.
+        movie: Frames for the three-dimensional view of grains; None without frames.
+        pictures: Figures that earlier commands wrote.
         tables: Tables of numbers.
-        trust: Verification and validation of each law.
+        trust: Errors of verification and validation of each law.
         laws: Names of the laws.
-        name: ID of the element of the page.
+        name: ID of the HTML element of the section.
     """
 
     results: Results
@@ -90,7 +91,7 @@ def empty_section(results: Results) -> Section:
 
 
 def cells(table: pd.DataFrame, title: str, heads: dict[str, str] | None = None) -> Table:
-    """Return a table with its numbers as text. `heads` are titles that replace column names."""
+    """Return a table of texts. `heads` are column titles that replace column names."""
     rows = [[number(value) for value in row] for row in table.itertuples(index=False)]
     laws = [str(law) for law in table["law"]] if "law" in table else None
     head = [(heads or {}).get(str(name), str(name)) for name in table]
@@ -98,7 +99,7 @@ def cells(table: pd.DataFrame, title: str, heads: dict[str, str] | None = None) 
 
 
 def number(value: object) -> str:
-    """Return a table cell as text: four digits, with powers of ten as superscripts."""
+    """Return a value as text for a table cell: four digits, with powers of ten as superscripts."""
     if isinstance(value, bool | np.bool_):
         return "yes" if value else "no"
     if not isinstance(value, int | float | np.integer | np.floating):
@@ -118,7 +119,7 @@ def span(smallest: float, largest: float) -> str:
 
 
 def version_facts(versions: dict[str, str]) -> dict[str, str]:
-    """Return versions as short facts, long enough to distinguish two runs."""
+    """Return shortened versions of the programs, long enough to distinguish two runs."""
     facts = {}
     for name, text in versions.items():
         if name == "plugin" and " sha256 " in text:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Charts of a sweep: measured quantities with theory as lines, and force-overlap loops."""
+"""Charts of a sweep of impacts: measured quantities, lines of theory, and force-overlap loops."""
 
 from __future__ import annotations
 
@@ -26,18 +26,19 @@ from plastigran.plot.chart import DASHES
 from plastigran.plot.quantities import PREDICTED, words
 from plastigran.report.page.charts import Chart
 
-#: Relative difference below which radii or speeds are equal. Trajectories have 17 digits.
+#: Relative difference below which two radii or two speeds count as equal. Trajectory files have 17
+#: digits.
 TOLERANCE = 1e-9
-#: Columns whose values are in the name of a run's folder.
+#: Columns of the results table whose values are part of the name of the folder of a run.
 LABELLED = ("geometry", "material", "law", "wall", "options")
-#: Largest number of points of a loop.
+#: Largest number of points in the curve of a force-overlap loop.
 LOOP_POINTS = 80
 
 
 def measured_chart(table: pd.DataFrame, materials: Mapping[str, Material]) -> Chart | None:
-    """Return the chart of the predicted quantities versus speed or angle; None without predictions.
+    """Return the chart of quantities that have a prediction, or None without predictions.
 
-    `materials` are the materials that the sweep recorded, as for `central_case`.
+    `materials` are the materials that the sweep recorded, by name, as for `central_case`.
     """
     abscissa = _abscissa(table)
     quantities = [
@@ -64,7 +65,7 @@ def measured_chart(table: pd.DataFrame, materials: Mapping[str, Material]) -> Ch
 
 
 def _abscissa(table: pd.DataFrame) -> str | None:
-    """Return the column of the x axis: that of numbers with most values, else varying words."""
+    """Return the column of the x axis: the number with most values, or else a text that varies."""
     numbers = [name for name in ("speed", "angle", "incident_angle", "radius") if name in table]
     others = [name for name in ("geometry", "material", "wall", "options") if name in table]
     counts = {name: table[name].nunique() for name in numbers + others}
@@ -75,16 +76,17 @@ def _abscissa(table: pd.DataFrame) -> str | None:
 
 
 def _dash_legend(table: pd.DataFrame, abscissa: str) -> str:
-    """Return a sentence on the line styles, if there are several."""
+    """Return a sentence that explains the line styles, or "" if there is only one."""
     styles = line_styles(curve_groups(table, abscissa))
     legend = [f"{DASHES[dash][2]} {others}" for others, dash in styles.items()]
     return f" Lines: {'; '.join(legend)}." if len(legend) > 1 else ""
 
 
 def loops_chart(folder: Path, table: pd.DataFrame) -> tuple[Chart | None, list[str]]:
-    """Return the chart of force versus overlap: a view for each speed, a loop for each law.
+    """Return the chart of force versus overlap, with a view for each speed and a loop for each law.
 
-    The chart is None without trajectories. A sentence follows if some trajectories cannot be read.
+    The chart is None without trajectories. The returned list has a sentence if some trajectories
+    cannot be read.
     """
     loops, damaged = [], []
     if not {"geometry", "law", "speed", "material", "radius"} <= set(table):
@@ -112,7 +114,7 @@ def loops_chart(folder: Path, table: pd.DataFrame) -> tuple[Chart | None, list[s
 
 
 def _loop(trajectory: Path, table: pd.DataFrame) -> list[tuple[pd.Series, pd.DataFrame]]:
-    """Return the row of the table and the loop of a trajectory; [] if the table lacks the row.
+    """Return the row of an impact in the table and its loop; [] if the table lacks the impact.
 
     Raises:
         CollisionError, DumpError, TruncatedFileWarning: The trajectory is damaged.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Section of a sweep of impacts, complete or not."""
+"""Section of the page for a complete or incomplete sweep of impacts."""
 
 from __future__ import annotations
 
@@ -30,12 +30,12 @@ from plastigran.report.page.trust import Trust, trust, validation_chart, verific
 MOST_NAMED = 3
 #: Required columns of a table of impacts.
 _REQUIRED = ("law", "material", "radius", "speed")
-#: Figures of central impacts, each with the chart that replaces it.
+#: Names of figures of central impacts, each with the name of the chart that replaces the figure.
 _REPLACED = {"restitution": "measured", "loops": "loops"}
 
 
 def make(results: Results) -> Section:
-    """Return the section of a sweep."""
+    """Return the section of the page for a sweep."""
     folder = results.folder
     study, missing = read_study(folder)
     table, damaged = _read_table(folder / TABLE)
@@ -84,7 +84,7 @@ def make(results: Results) -> Section:
 
 
 def _read_table(path: Path) -> tuple[pd.DataFrame, list[str]]:
-    """Return the results table, and sentences if it is missing or incomplete."""
+    """Return the results table, and sentences if the table is missing or incomplete."""
     if not path.is_file() or not path.stat().st_size:
         return pd.DataFrame(), [f"{TABLE} is missing or empty: no impact has finished."]
     try:
@@ -97,7 +97,7 @@ def _read_table(path: Path) -> tuple[pd.DataFrame, list[str]]:
 
 
 def _materials(study: dict) -> tuple[dict[str, Material], list[str]]:
-    """Return the recorded materials by name, and a sentence for each that cannot be read."""
+    """Return the recorded materials by name, and a sentence for each unreadable material."""
     materials, damaged = {}, []
     recorded = study.get("materials")
     for name, values in recorded.items() if isinstance(recorded, dict) else ():
@@ -122,7 +122,7 @@ def _constants(materials: Mapping[str, Material]) -> list[Table]:
 
 
 def _impacts(count: int) -> str:
-    """Return a number of impacts in words."""
+    """Return a number of impacts as text, such as "1 impact"."""
     return f"{count} impact{'' if count == 1 else 's'}"
 
 
@@ -143,7 +143,7 @@ def _charts(
 
 
 def _has_usual(table: pd.DataFrame) -> bool:
-    """Return whether there are impacts on rigid walls with the default options of their law."""
+    """Return whether an impact has no metal wall and the default options of its law."""
     usual = pd.Series(True, table.index)
     if "wall" in table:
         usual &= table["wall"].isin(WALLS)
@@ -153,7 +153,7 @@ def _has_usual(table: pd.DataFrame) -> bool:
 
 
 def _errors(runs: list[Path]) -> list[str]:
-    """Return the error messages of LIGGGHTS without repetitions."""
+    """Return sentences with the error messages of LIGGGHTS, each message once."""
     errors: dict[str, str] = {}
     for run in runs:
         log = log_path(run)
@@ -163,7 +163,7 @@ def _errors(runs: list[Path]) -> list[str]:
 
 
 def _dented(table: pd.DataFrame, materials: Mapping[str, Material]) -> list[str]:
-    """Return a sentence if the wall yields, but the law is for a yielding sphere."""
+    """Return a sentence if a wall yields although the law assumes that the sphere yields."""
     rows = table[~table["wall"].isin(WALLS)] if "wall" in table else table.iloc[:0]
     cases = (central_case(row, materials) for _, row in rows.iterrows())
     return [sentence] if (sentence := dented(case for case in cases if case)) else []
@@ -181,7 +181,7 @@ def _facts(study: dict, table: pd.DataFrame, runs: list[Path]) -> dict[str, str]
             continue
         values = table[name].unique()
         if name == "wall" and len(values) > 1:
-            # Omit the entry of impacts between two spheres, which have no wall.
+            # Omit the entry `NO_WALL` of impacts between two spheres.
             values = [wall for wall in values if wall != NO_WALL]
         unit = {"radius": " m", "speed": " m/s", "angle": "°"}.get(name, "")
         if table[name].dtype.kind in "if":

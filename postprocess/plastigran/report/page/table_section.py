@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Section with the tables and figures of other commands: validation, papers, calibration."""
+"""Section of the page for the tables and figures of other commands, such as `validate`."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ from plastigran.report.page.trust import validation_chart
 
 #: Largest number of rows of a table on a page.
 MOST_ROWS = 500
-#: Table of errors of `plastigran validate`.
+#: Name of the table of errors that `plastigran validate` writes.
 ERRORS = "errors"
 
 
 def make(results: Results) -> Section:
-    """Return the section of a folder of tables, figures and materials."""
+    """Return the section of the page for a folder of tables, figures and material files."""
     folder, missing, tables, laws, chart = results.folder, [], [], [], None
     for file in sorted(folder.glob("*.in")):
         try:
@@ -59,7 +59,7 @@ def make(results: Results) -> Section:
 
 
 def _material_table(file: Path) -> Table:
-    """Return the constants of a calibrated material, with their source in the title."""
+    """Return a table of the constants of a material file, with the remark of the file as title."""
     material = read_material(file)
     units = {name: declaration.unit for name, declaration in declarations(Material).items()}
     rows = [

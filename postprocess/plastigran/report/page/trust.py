@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Verification and validation of the laws of a sweep.
 
-Verification compares runs of LIGGGHTS with the theory of the law. Validation compares the law with
-finite elements of spheres. The errors of the validation are those of `plastigran validate`.
+Verification compares runs of LIGGGHTS with the equations of the law. Validation compares the law
+with finite-element computations of spheres. `plastigran validate` computes the errors of the
+validation.
 """
 
 from __future__ import annotations
@@ -25,7 +26,7 @@ from plastigran.plot.style import title
 from plastigran.report.page.charts import Chart
 
 QUANTITIES = ("coefficient_of_restitution", "force_max")
-#: Ends of the axes of errors [%].
+#: Smallest and largest value on the axes of errors [%].
 ERROR_AXIS = (1e-4, 160)
 
 Errors = dict[str, tuple[float, float] | None]
@@ -33,18 +34,20 @@ Errors = dict[str, tuple[float, float] | None]
 
 @attrs.frozen
 class Trust:
-    """Known errors of a law in a sweep, as fractions; None where unknown.
+    """Known errors of a law in a sweep, as fractions. Unknown errors are None.
 
     Attributes:
         law: Name of the law.
-        verified: Largest difference between runs and theory, by quantity.
-        validated: Rms and largest error compared with finite elements at these speeds, by quantity.
-        unknown_materials: Materials whose constants are not available, so that the error is
-            unknown.
-        not_validated: Impacts without known error: faster than the finite elements, on a metal
-            wall, or with options of the law.
-        left_range_at: Lowest speed at which the law was used outside its range [m/s].
-        law_range: Range of the law in words.
+        verified: Largest relative difference between runs and theory, by quantity.
+        validated: Root-mean-square and largest error of the law, compared with finite elements at
+            the speeds of the sweep, by quantity.
+        unknown_materials: Materials whose constants are not available. Errors with these materials
+            are unknown.
+        not_validated: Impacts whose error is unknown, because they are faster than those of the
+            finite elements, hit a metal wall, or use options of the law.
+        left_range_at: Lowest impact speed at which the law was used outside its range [m/s]; None
+            if the law was never used outside its range.
+        law_range: Validity range of the law in words.
     """
 
     law: str
@@ -59,7 +62,7 @@ class Trust:
 def trust(table: pd.DataFrame, materials: Mapping[str, Material]) -> list[Trust]:
     """Return the known errors of each law in the results table of a sweep.
 
-    `materials` are the materials that the sweep recorded, as for `central_case`.
+    `materials` are the materials that the sweep recorded, by name, as for `central_case`.
     """
     if "law" not in table:
         return []
@@ -80,7 +83,7 @@ def trust(table: pd.DataFrame, materials: Mapping[str, Material]) -> list[Trust]
 
 
 def _difference(rows: pd.DataFrame, quantity: str) -> pd.Series:
-    """Return the relative difference between runs and theory."""
+    """Return the absolute relative difference between runs and theory, for each row."""
     return (rows[quantity] / rows[f"{quantity}{PREDICTED}"] - 1).abs()
 
 
@@ -94,9 +97,9 @@ def _verified(rows: pd.DataFrame, quantity: str) -> float | None:
 def _validated(
     rows: pd.DataFrame, materials: Mapping[str, Material]
 ) -> tuple[Errors, list[str], list[str]]:
-    """Return errors by quantity, materials that are not available, and impacts of unknown error.
+    """Return errors by quantity, unavailable materials, and impacts whose error is unknown.
 
-    The error of a quantity is the largest error of the impacts that cause yield.
+    The error of a quantity is the largest error over all groups of impacts that cause yield.
     """
     errors, unknown_materials, not_validated = [], [], []
     if {"speed_ratio", "material", "geometry", "radius"} <= set(rows):
@@ -126,16 +129,16 @@ def _validated(
 
 
 def _describe(case: CentralImpact) -> str:
-    """Return the material of an impact, with its metal wall and the options of its law, if any."""
+    """Return the material of an impact in words, with the metal wall and the options if any."""
     wall = f" {on_wall(case.wall_name)}" if case.wall else ""
     return f"{title(case.material.name)}{wall}{f', {case.options}' if case.options else ''}"
 
 
 def _expected_error(fastest: CentralImpact, ratios: pd.Series) -> ExpectedError:
-    """Return the expected error of a law for the speeds up to `fastest`.
+    """Return the expected error of a law for impact speeds up to that of the impact `fastest`.
 
-    It is unknown for options of a law and for metal walls, because the errors are those of laws
-    with default options, compared with spheres on a rigid plane.
+    The error is unknown for options of a law and for metal walls. The available errors are those of
+    laws with default options, compared with finite elements of spheres on a rigid plane.
     """
     ends = ratios.min(), ratios.max()
     if fastest.options or fastest.wall:
@@ -147,7 +150,7 @@ def _expected_error(fastest: CentralImpact, ratios: pd.Series) -> ExpectedError:
 
 
 def verification_chart(table: pd.DataFrame) -> Chart | None:
-    """Return the chart of differences from theory; None if no law has a yield speed."""
+    """Return the chart of differences between runs and theory; None if no law has a yield speed."""
     if "speed_ratio" not in table or table["speed_ratio"].isna().all():
         return None
     yielding = table.dropna(subset=["speed_ratio"]).sort_values("speed_ratio")
@@ -175,9 +178,9 @@ def verification_chart(table: pd.DataFrame) -> Chart | None:
 
 
 def validation_chart(table: pd.DataFrame) -> Chart | None:
-    """Return the chart of the laws' errors compared with finite elements; None without errors.
+    """Return the chart of errors of laws, compared with finite elements; None without errors.
 
-    The table has the columns of `plastigran.calibration.expected_errors.errors_table`.
+    `table` has the columns of `plastigran.calibration.expected_errors.errors_table`.
     """
     remarks = [
         f"v/v<sub>Y</sub> {row.speed_ratio_from:.3g} to {row.speed_ratio_to:.3g}<br>law and finite "
@@ -205,7 +208,7 @@ def validation_chart(table: pd.DataFrame) -> Chart | None:
 
 
 def _panels(errors: pd.DataFrame) -> list[Panel]:
-    """Return the panel of a table with columns law, ratio (speed / yield speed), error, remark."""
+    """Return a panel of a table with columns law, ratio (speed / yield speed), error and remark."""
     curves = [
         Curve(
             x=rows["ratio"].to_numpy(),
