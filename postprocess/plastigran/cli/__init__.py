@@ -35,10 +35,10 @@ EXIT_CODES = {
 
 
 def parser(wanted: str = "") -> argparse.ArgumentParser:
-    """Return the parser, with a subcommand for each experiment and each module of `commands`.
+    """Return the parser, with one subcommand for each experiment and each module of `commands`.
 
-    A module provides HELP, EXAMPLE, add_arguments and run. With `wanted`, only that subcommand is
-    added, because many modules are slow to load.
+    A module provides HELP, EXAMPLE, add_arguments and run. If `wanted` is the name of a subcommand,
+    only this subcommand is added, because many modules are slow to load.
     """
     listed = "\n".join(f"  {code:<4d}{meaning}" for code, meaning in EXIT_CODES.items())
     top = argparse.ArgumentParser(
@@ -76,9 +76,9 @@ def main(argv: list[str] | None = None) -> int:
         with _terminate_as_interrupt(), warnings.catch_warnings():
             warnings.showwarning = _print_once()
             arguments.run(arguments)
-    except BrokenPipeError:  # the program that reads the output has closed the pipe
+    except BrokenPipeError:  # the program that reads our output has ended
         sys.stderr.close()
-    except KeyboardInterrupt as stop:  # the text of the exception, if any, names the kept results
+    except KeyboardInterrupt as stop:  # if the exception has a text, it names the kept results
         output = getattr(arguments, "output", None)
         results = str(stop) or (output and f"finished runs are in {output}")
         print(f"plastigran: stopped{f'; {results}' if results else ''}", file=sys.stderr)
@@ -105,10 +105,10 @@ def _print_once() -> Callable[..., None]:
 
 @contextmanager
 def _terminate_as_interrupt() -> Iterator[None]:
-    """Handle SIGTERM, which batch systems send, like Ctrl-C.
+    """Handle SIGTERM, which batch systems send to stop a job, like Ctrl-C.
 
-    Outside the main thread this has no effect, because Python handles signals only in the main
-    thread.
+    Outside the main thread, the context manager has no effect, because Python handles signals only
+    in the main thread.
     """
     if threading.current_thread() is not threading.main_thread():
         yield
@@ -121,7 +121,7 @@ def _terminate_as_interrupt() -> Iterator[None]:
 
 
 def _report(error: Exception, arguments: argparse.Namespace) -> int:
-    """Print the error in one line, after the trace if requested; return the exit code."""
+    """Print an error in one line, after the trace if --verbose is set; return the exit code."""
     if arguments.verbose:
         traceback.print_exception(error)
     if isinstance(error, EngineError | DumpError | ValueError | OSError):
@@ -136,7 +136,7 @@ def _report(error: Exception, arguments: argparse.Namespace) -> int:
 
 
 def _message(error: Exception, arguments: argparse.Namespace) -> str:
-    """Return the message of an error; an OSError gets the name of the file or folder."""
+    """Return the message of an error. For an OSError, the message names the file or folder."""
     if isinstance(error, FileNotFoundError) and error.filename:
         return f"the file {error.filename} does not exist"
     if isinstance(error, OSError) and error.filename:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Arguments of several subcommands."""
+"""Command-line arguments that several subcommands have."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from plastigran import materials
 def add_subcommand(
     subparsers: Any, name: str, purpose: str, example: str = ""
 ) -> argparse.ArgumentParser:
-    """Add a subcommand with --verbose, and with an example in its help.
+    """Add a subcommand that has the flag --verbose and an example in its help.
 
     Args:
         subparsers: Result of `ArgumentParser.add_subparsers`.
@@ -36,7 +36,7 @@ def add_subcommand(
 
 
 def add_verbose(command: argparse.ArgumentParser, default: Any = argparse.SUPPRESS) -> None:
-    """Add --verbose. It has no short form, because -v sets a variable of a deck."""
+    """Add --verbose, with the short form -v except for `bulk`, where -v sets a deck variable."""
     short = () if command.prog.endswith(" bulk") else ("-v",)
     command.add_argument(
         *short,
@@ -48,7 +48,7 @@ def add_verbose(command: argparse.ArgumentParser, default: Any = argparse.SUPPRE
 
 
 def add_json(command: argparse.ArgumentParser) -> None:
-    """Add --json, which replaces the printed tables."""
+    """Add --json, which prints JSON instead of tables."""
     command.add_argument("--json", action="store_true", help="print all numbers as JSON")
 
 
@@ -89,8 +89,8 @@ def refuse_idle(arguments: argparse.Namespace, needed: str, **idle: object) -> N
 
     Args:
         arguments: Parsed arguments.
-        needed: Name of the other flag.
-        **idle: Flags to check: the name of each parsed argument and its default.
+        needed: Name of the other flag, as in the error message.
+        **idle: Default of each flag to check, by name of the parsed argument.
 
     Raises:
         ValueError: A flag without effect is given; the message names it.
@@ -111,7 +111,7 @@ def _shown(value: object) -> str:
 
 
 def read_as(value_type: type, text: str) -> Any:
-    """Return the text of an argument as a value of a type.
+    """Convert the text of an argument to a value of a type.
 
     Raises:
         ArgumentTypeError: The text is not a value of this type; argparse prints the message.
@@ -124,7 +124,7 @@ def read_as(value_type: type, text: str) -> Any:
 
 
 def positive(text: str) -> float:
-    """Return a positive, finite number; errors as for `read_as`."""
+    """Convert the text of an argument to a positive, finite number; errors as for `read_as`."""
     value = read_as(float, text)
     if not 0 < value < inf:
         raise argparse.ArgumentTypeError(f"{text} is not positive and finite")
@@ -132,7 +132,7 @@ def positive(text: str) -> float:
 
 
 def positive_integer(text: str) -> int:
-    """Return a whole number from 1; errors as for `read_as`."""
+    """Convert the text of an argument to a whole number of at least 1; errors as for `read_as`."""
     value = read_as(int, text)
     if value < 1:
         raise argparse.ArgumentTypeError(f"{text} is not 1 or more")
@@ -145,7 +145,7 @@ def known_materials() -> str:
 
 
 def add_laws(command: argparse.ArgumentParser, bodies: str) -> None:
-    """Add `--law`; by default, all laws. They are laws for `bodies`, such as spheres."""
+    """Add `--law`. By default, it selects all laws for `bodies`, such as "spheres"."""
     command.add_argument(
         "--law",
         nargs="+",

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Command-line subcommand of an experiment, built from the declared fields of the experiment."""
+"""Subcommands of experiments; the flags follow from the declared fields of the experiment."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ from plastigran.experiments.runs import Runs, case_folders, claim
 
 
 def add_command(subparsers: Any, experiment: type[Experiment]) -> None:
-    """Add the command of an experiment, with a flag for each setting of its study."""
+    """Add the subcommand of an experiment, with a flag for each setting of the experiment."""
     name, flags, declared = experiment.command, experiment.all_flags(), declarations(experiment)
     required = [_word(setting, flag) for setting, flag in flags.items() if _required(flag)]
     words = [f"plastigran {name}", *(f"--{word} {word.upper()}" for word in required)]
@@ -98,7 +98,7 @@ def _add_flag(
 
 
 def _default(flag: Flag) -> str:
-    """Return the default of a flag for its help; "" for a sweep, and without a default."""
+    """Return help text about the default of a flag; "" for a sweep or without default."""
     values = flag.default if isinstance(flag.default, tuple) else (flag.default,)
     if flag.span or isinstance(values[0], attrs.Factory) or values[0] in (None, attrs.NOTHING):
         return ""
@@ -107,7 +107,7 @@ def _default(flag: Flag) -> str:
 
 
 def _reader(word: str, declaration: Declaration) -> Callable[[str], Any]:
-    """Return a function that reads the value of a flag and checks it against its declaration."""
+    """Return a function that reads the value of a flag and checks it by the declaration."""
 
     def read(text: str) -> Any:
         value = read_as(declaration.value_type, text)
@@ -119,7 +119,7 @@ def _reader(word: str, declaration: Declaration) -> Callable[[str], Any]:
 
 
 def run(experiment: type[Experiment], arguments: argparse.Namespace) -> None:
-    """Run the study, print its summary, write its tables and figures.
+    """Run the impacts of an experiment, print a summary, and write tables and figures.
 
     Raises:
         ValueError: A value is out of range, or two flags exclude each other.
@@ -147,16 +147,16 @@ def run(experiment: type[Experiment], arguments: argparse.Namespace) -> None:
             show_study(runs, folder, arguments.json)
     else:
         _need_engine(experiment, settings.get("host", experiment.host))
-        with lock_folder(folder):  # keep the lock until the figures are written
+        with lock_folder(folder):  # hold the lock until the figures are written
             runs = experiment.study(folder, arguments.jobs, force=arguments.force, **settings)
             show_study(runs, folder, arguments.json)
 
 
 def _need_engine(experiment: type[Experiment], host: str) -> None:
-    """Check that the host can run.
+    """Check that the host (LIGGGHTS or LAMMPS) can run.
 
     Raises:
-        EngineError: The host cannot run; the message names an alternative if there is one.
+        EngineError: The host cannot run; the message recommends --theory if the experiment has it.
     """
     try:
         versions(host)
@@ -166,7 +166,7 @@ def _need_engine(experiment: type[Experiment], host: str) -> None:
 
 
 def _settings(experiment: type[Experiment], arguments: argparse.Namespace) -> dict[str, Any]:
-    """Return the settings of the study that the user gave as flags."""
+    """Return the settings that the user gave as flags, and the values of sweeps."""
     settings = {}
     for setting, flag in experiment.all_flags().items():
         value = getattr(arguments, setting)
@@ -183,7 +183,9 @@ def _values(
     values: list[float] | None,
     arguments: argparse.Namespace,
 ) -> Any:
-    """Return the values of flag --`word`, or a geometric sequence over the range --`word`s.
+    """Return the values of the flag --WORD, or a geometric sequence over the range --WORDs.
+
+    `word` is WORD, for example "speed".
 
     Raises:
         ValueError: Both values and a range are given, or a range has two ends but one point.
@@ -207,7 +209,7 @@ def _values(
 
 
 def show_study(runs: Runs, folder: Path, json: bool = False) -> None:
-    """Print a study's summary, or its table as JSON; write its tables and figures into a folder."""
+    """Print a summary of runs, or their table as JSON; write tables and figures into a folder."""
     written = [str(path) for path in runs.write(folder)]
     if json:
         print_json({"table": runs.table.to_dict("records"), "written": written})

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Arguments of the finite-element commands: metals, planes and strain."""
+"""Command-line arguments of finite-element commands: metal, half space and kind of strain."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from plastigran.fem.settings import Settings
 
 
 def add_metal(command: argparse.ArgumentParser, radius: float | None = 0.1) -> None:
-    """Add the metal, the radius and --json. The user gives --elastic or --yield."""
+    """Add the flags of `add_elastic` and of yield. The user must give --elastic or --yield."""
     add_elastic(command, radius)
     strength = command.add_mutually_exclusive_group(required=True)
     strength.add_argument(
@@ -30,7 +30,7 @@ def add_metal(command: argparse.ArgumentParser, radius: float | None = 0.1) -> N
 def add_elastic(
     command: argparse.ArgumentParser, radius: float | None = 0.1, density: float | None = 2700.0
 ) -> None:
-    """Add an elastic material, the radius and --json.
+    """Add the flags of an elastic material, --radius and --json.
 
     Args:
         command: Parser of the command.
@@ -55,7 +55,7 @@ def add_elastic(
 
 
 def add_strain(command: argparse.ArgumentParser) -> None:
-    """Add --finite-strain."""
+    """Add the flag --finite-strain."""
     command.add_argument(
         "--finite-strain",
         action="store_const",
@@ -67,7 +67,7 @@ def add_strain(command: argparse.ArgumentParser) -> None:
 
 
 def add_plane(command: argparse.ArgumentParser) -> None:
-    """Add the metal of a half space under the sphere. Without these flags, the plane is rigid."""
+    """Add the flags of a half space under the sphere. By default, the plane is rigid."""
     for name, value_type, meaning in (
         ("young", positive, "Young's modulus of a half space, Pa; default: rigid plane"),
         ("poisson", float, "Poisson's ratio of the half space; default: value of the sphere"),
@@ -79,7 +79,7 @@ def add_plane(command: argparse.ArgumentParser) -> None:
 
 
 def metal(arguments: argparse.Namespace) -> ElasticPlastic:
-    """Return the metal of the arguments of `add_metal` or `add_elastic`.
+    """Return the metal that the flags of `add_metal` or `add_elastic` describe.
 
     Raises:
         ValueError: A number is out of range, or the metal has a plastic modulus without yield.
@@ -98,7 +98,7 @@ def plane(arguments: argparse.Namespace) -> ElasticPlastic | None:
     """Return the metal of the half space; None for a rigid plane.
 
     Raises:
-        ValueError: As for `metal`, or --plane-young is missing.
+        ValueError: A number is out of range, or --plane-young is missing.
     """
     names = ("young", "poisson", "density", "yield", "hardening")
     given = {name: getattr(arguments, f"plane_{name}", None) for name in names}
@@ -118,7 +118,7 @@ def plane(arguments: argparse.Namespace) -> ElasticPlastic | None:
 def _hardening(
     strength: float | None, modulus: float | None, prefix: str
 ) -> LinearHardening | None:
-    """Return the hardening of a metal; None if the metal does not yield."""
+    """Return the hardening law of a metal; None if the metal does not yield."""
     if strength is not None:
         return LinearHardening(strength, modulus or 0.0)
     if modulus is not None:
@@ -129,13 +129,13 @@ def _hardening(
 def computed(compute: Callable, *arguments: object, strain: str = "small", **named: object):
     """Return the result of a computation, from the cache if possible.
 
-    Prints warnings on stderr, and the reason if the computation stops early.
+    Warnings are printed on stderr. If the computation stops early, the reason is also printed.
 
     Args:
-        compute: Function that takes settings and progress after its arguments.
+        compute: Function with the keyword arguments `settings` and `progress`.
         arguments: Positional arguments of `compute`.
         strain: "small" or "finite".
-        named: Keyword arguments of `compute`, after settings and progress.
+        named: Further keyword arguments of `compute`.
 
     Raises:
         ValueError: The computation cannot start.

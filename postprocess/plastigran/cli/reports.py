@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Helpers of the subcommands that compute tables and figures for pages of the docs."""
+"""Functions of the subcommands that compute tables and figures for pages of the docs."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ from plastigran.report.base import Evidence, Findings
 
 
 def add_evidence_arguments(command: argparse.ArgumentParser, results: str, pages: str) -> None:
-    """Add the arguments for the folder of results and for the pages of the docs to write.
+    """Add the flags --output, --force, --docs, --coarse and --json.
 
     Args:
         command: Parser of the command.
-        results: Default folder of results, in words.
-        pages: Folder of the pages in the project.
+        results: Default folder of results, as text for the help.
+        pages: Folder of the pages in the project, as text for the help.
     """
     command.add_argument(
         "--output", type=Path, metavar="DIR", help=f"folder of results, default {results}"
@@ -38,7 +38,7 @@ def add_evidence_arguments(command: argparse.ArgumentParser, results: str, pages
 
 
 def run_evidence(evidence: Evidence, head: str, arguments: argparse.Namespace) -> Findings:
-    """Compute evidence: print its tables, write its tables and figures, and update its pages.
+    """Compute evidence, print its tables, write its tables and figures, and update its pages.
 
     Args:
         evidence: Evidence to compute.
@@ -46,11 +46,11 @@ def run_evidence(evidence: Evidence, head: str, arguments: argparse.Namespace) -
         arguments: Arguments of `add_evidence_arguments`.
 
     Raises:
-        ValueError: The folder contains results, the pages do not match the tables, or as for
-            `Evidence.run`.
+        ValueError: The folder contains results, the pages do not match the tables, or
+            `Evidence.run` raises the error.
         EngineError: LIGGGHTS stopped with an error.
     """
-    # Imported here, because matplotlib is slow to load.
+    # Import here, because matplotlib is slow to load.
     from plastigran.report.pages import publish, read_pages, to_markdown
 
     folder = arguments.output or Path("results") / evidence.name

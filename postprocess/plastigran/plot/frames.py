@@ -151,8 +151,8 @@ def _largest_forces(frame: Frame, positions: np.ndarray) -> np.ndarray:
     if len(forces):
         ends = np.asarray(read_vtk(frame.contacts).points, float).reshape(-1, 3)
         # The file of contacts does not identify grains. Find them by the ends of the contact lines,
-        # which are grain centers with six digits. Omit ends outside the box: they belong to
-        # contacts across a periodic boundary.
+        # which are grain centers with six digits. Omit ends that are not at a grain center: their
+        # contacts cross a periodic boundary.
         distance, grain = cKDTree(positions).query(ends)
         at_grain = distance < 1e-4 * np.ptp(positions, axis=0).max()
         np.maximum.at(largest, grain[at_grain], np.repeat(forces, 2)[at_grain])

@@ -77,7 +77,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    from plastigran.bulk.plan import plan_bulk  # imported here, because matplotlib is slow to load
+    from plastigran.bulk.plan import plan_bulk  # import here, because matplotlib is slow to load
     from plastigran.bulk.run import run_bulk
 
     deck, settings, earlier = arguments.deck, dict(arguments.settings), arguments.restart
@@ -130,8 +130,8 @@ def how_to_continue(folder: Path) -> str:
 
 
 def has_no_new_step(run: BulkRun) -> bool:
-    """Return whether a continued run computed nothing beyond the earlier run."""
-    import pandas as pd  # imported here, because pandas is slow to load
+    """Return whether a continued run has no log line beyond those of the earlier run."""
+    import pandas as pd  # import here, because pandas is slow to load
 
     from plastigran.bulk.folder import BEFORE
     from plastigran.bulk.series import read_series
@@ -140,7 +140,7 @@ def has_no_new_step(run: BulkRun) -> bool:
 
 
 def report(run: BulkRun) -> None:
-    """Print the results of a run, its checks and notes, and warnings of the models.
+    """Print results, checks and notes of a run, and the warnings in its log.
 
     Raises:
         CheckError: A check failed.
@@ -159,5 +159,5 @@ def report(run: BulkRun) -> None:
 
 
 def warnings_of(run: BulkRun) -> list[str]:
-    """Return the warnings of the contact models and of the launcher from the log of a run."""
+    """Return the warnings in the log of a run."""
     return find_warnings(log_path(run.folder).read_text(errors="replace"))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`plastigran calibrate`: constants for a deck, from a measurement."""
+"""`plastigran calibrate`: constants of a material for decks, from a measurement."""
 
 from __future__ import annotations
 
@@ -43,20 +43,21 @@ plastigran calibrate --young 206e9 --poisson 0.3 --density 7850 --hardness 45HRC
 plastigran calibrate --young 1.2e9 --poisson 0.3 --density 1350 --pull-off 2.4e-6 --radius 2.5e-6
 """
 
-#: Value of --ball and --plate that stands for the metal to be calibrated.
+#: Value of --ball and --plate for the metal that is calibrated.
 METAL = "metal"
-#: Allowed suffixes of --figure.
+#: Allowed suffixes of the file for --figure.
 FIGURES = (".png", ".svg", ".pdf")
-#: Yield strength of a material that never yields [Pa].
+#: Yield strength that stands for a material without yield [Pa].
 NO_YIELD = 1e30
-#: Flags that determine the yield strength, and the attributes of their parsed values.
+#: Attributes of the parsed values of the flags that determine the yield strength, by flag.
 MEASURED = {
     "--yield": "yield_strength",
     "--hardness": "hardness",
     "--leeb": "leeb",
     "--drop": "drop",
 }
-#: Attributes of optional flags that apply only to a measurement of the yield strength.
+#: Attributes of the parsed values of further flags that apply only to a calibration of the yield
+#: strength.
 OF_STRENGTH = ("ball", "ball_radius", "rate_coefficient", "scatter", "speeds", "force_ratio")
 #: Attributes of parsed values that are passed to `calibrate` unchanged.
 PASSED_ON = (
@@ -201,10 +202,10 @@ def _is_of_adhesion(arguments: argparse.Namespace) -> bool:
 
 
 def _metal(arguments: argparse.Namespace) -> CalibratedMetal:
-    """Return the strength of the metal.
+    """Calibrate the yield strength of the metal.
 
     Raises:
-        ValueError: No measurement or more than one is given, or as for `calibrate`.
+        ValueError: No measurement or more than one is given, or `calibrate` raises the error.
     """
     measured = [name for name in MEASURED if getattr(arguments, MEASURED[name]) is not None]
     if len(measured) != 1:
@@ -227,10 +228,11 @@ def _metal(arguments: argparse.Namespace) -> CalibratedMetal:
 
 
 def _adhesion(arguments: argparse.Namespace) -> CalibratedAdhesion:
-    """Return the surface energy of the bodies.
+    """Calibrate the surface energy of the bodies.
 
     Raises:
-        ValueError: The radius or a yield strength is missing, or as for `calibrate_adhesion`.
+        ValueError: The radius or a yield strength is missing, or `calibrate_adhesion` raises the
+            error.
     """
     law = arguments.law or ADHESIVE_LAW
     if arguments.radius is None:
@@ -290,7 +292,7 @@ def _refuse_idle(arguments: argparse.Namespace) -> None:
 
 
 def _finite_elements(arguments: argparse.Namespace) -> float | None:
-    """Return the largest force as a multiple of the yield force; None without finite elements."""
+    """Return largest force / yield force of the finite elements; None without finite elements."""
     usual = USUAL_RANGE if arguments.fem else None
     return usual if arguments.force_ratio is None else arguments.force_ratio
 
@@ -305,14 +307,14 @@ def _drops(arguments: argparse.Namespace) -> DropTest | None:
 
 
 def _plate(arguments: argparse.Namespace, default: str) -> Material | laws.Body | None:
-    """Return the plate of --plate or the default plate; None if it is of the calibrated metal."""
+    """Return the plate of --plate or the default plate; None stands for the calibrated metal."""
     plate = arguments.plate or default
     bodies = {RIGID_WALL: RIGID, METAL: None}
     return bodies[plate] if plate in bodies else read_material(plate)
 
 
 def _draw(calibrated: CalibratedMetal, path: Path) -> None:
-    # Imported here, because matplotlib is slow to load.
+    # Import here, because matplotlib is slow to load.
     from plastigran.calibration.figures import figure
     from plastigran.plot.style import save
 

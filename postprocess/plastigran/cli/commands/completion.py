@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`plastigran completion`: command-line completion for a shell."""
+"""`plastigran completion`: script for command-line completion in a shell."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    # Imported here, because this module also imports the commands.
+    # Import here, because plastigran.cli imports this module.
     from plastigran.cli import parser
 
     top = parser()
@@ -29,7 +29,7 @@ def run(arguments: argparse.Namespace) -> None:
 
 
 def _complete_files(command: argparse.ArgumentParser) -> None:
-    """Complete path arguments as files, in a command and its subcommands."""
+    """Make the shell complete path arguments of a command and its subcommands as file names."""
     for action in command._actions:
         if isinstance(action, argparse._SubParsersAction):
             for below in action.choices.values():

@@ -19,9 +19,9 @@ from plastigran.usable_laws import laws_for
 HELP = "run examples: collisions, a cooling gas and a hopper, with figures and a report"
 EXAMPLE = "plastigran demo --output results/demo"
 
-#: Settings of the hopper. Its soft grains overlap by up to a quarter of the effective radius when
-#: they land. Of the accurate laws, only `jackson_green` is valid for such overlaps. At these
-#: speeds, up to 27 yield speeds, the error of its restitution is 4 % (docs/validation.md).
+#: Settings of the hopper run. Its soft grains overlap by up to a quarter of the effective radius
+#: when they land. Of the accurate laws, only `jackson_green` is valid for such overlaps. The impact
+#: speeds reach 27 yield speeds; the error of the restitution is then 4 % (docs/validation.md).
 HOPPER = {"law": "jackson_green", "layers": "10", "frames": "20"}
 
 
@@ -37,7 +37,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> None:
     """Run collisions, a cooling gas and a hopper of yielding grains, and write an HTML report."""
-    # Imported here, because matplotlib and plotly are slow to load.
+    # Import here, because matplotlib and plotly are slow to load.
     from plastigran.bulk.run import run_bulk
     from plastigran.plot.frame_files import find_frames
     from plastigran.plot.snapshot import draw
@@ -78,7 +78,7 @@ def run(arguments: argparse.Namespace) -> None:
 
 
 def collide_in_lammps(folder: Path) -> None:
-    """Run an impact of a pair in LAMMPS, which is optional, and print its restitution."""
+    """Run an impact of two spheres in LAMMPS and print the restitution; skip it without LAMMPS."""
     try:
         versions("lammps")
     except EngineError as error:

@@ -26,10 +26,10 @@ from plastigran.experiments.central import CentralImpact
 HELP = "check the installation with an impact of a sphere"
 EXAMPLE = "plastigran doctor"
 
-#: Largest relative difference of restitution between LIGGGHTS and theory at the recommended time
-#: step.
+#: Largest allowed relative difference of the restitution between LIGGGHTS and theory, at the
+#: recommended time step.
 TOLERANCE = 1e-3
-#: Optional packages, and the commands that need each.
+#: Commands that need each optional package, by name of the package.
 OPTIONAL = {"pyvista": "snapshot", "imageio": "snapshot --movie", "av": "snapshot --movie FILE.mp4"}
 
 
@@ -39,9 +39,9 @@ class Finding:
 
     Attributes:
         name: Subject of the check.
-        state: "ok", "lacks", or "without" for an optional part.
-        said: Result in words, such as a version or the missing file.
-        remedy: Advice if something is missing.
+        state: "ok", "lacks" for a failed check, or "without" for a missing optional part.
+        said: Result in words, for example a version or the name of a missing file.
+        remedy: Advice if the check failed or a part is missing.
     """
 
     name: str
@@ -51,7 +51,7 @@ class Finding:
 
 
 class Lacking(Exception):
-    """A check of the installation failed; the arguments are the fault and the remedy."""
+    """A check of the installation failed; the two arguments are the fault and the remedy."""
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
@@ -59,10 +59,10 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Print the findings, one line each.
+    """Print the results of the checks, one line each.
 
     Raises:
-        EngineError: A part is missing that LIGGGHTS runs need.
+        EngineError: A check failed, so that runs in LIGGGHTS are not possible.
     """
     findings = []
     for finding in examine():
@@ -80,7 +80,7 @@ def run(arguments: argparse.Namespace) -> None:
 
 
 def examine() -> Iterator[Finding]:
-    """Yield the results of the checks; after a fault, skip the remaining checks of LIGGGHTS."""
+    """Yield the results of the checks. After a fault, skip the remaining checks of LIGGGHTS."""
     software = f"{version('plastigran')}, Python {platform.python_version()}"
     yield Finding("plastigran", "ok", f"{software}, {os.cpu_count()} cores")
     yield libraries()
@@ -166,7 +166,7 @@ def _engine() -> str:
 
 
 def _plugin() -> str:
-    """Return the path of the plugin that the loader uses; raise Lacking if none is found."""
+    """Return the path of the plugin that LIGGGHTS loads; raise Lacking if a library is missing."""
     done = subprocess.run(["ldd", engine_path()], capture_output=True, text=True, check=False)
     needed = dict(line.strip().partition(" => ")[::2] for line in done.stdout.splitlines())
     if missing := [name for name, place in needed.items() if place.startswith("not found")]:

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """`plastigran fem`: finite elements of a sphere or a cylinder.
 
-A sphere is compressed on a plane or a half space, or hits a plane or a half space. An elastic
-sphere also vibrates after its impact on a plane. A rigid cylinder hits a body.
+`press` compresses a sphere on a plane or a half space; `throw` computes an impact of this sphere.
+`vibrate` computes the vibration of an elastic sphere during and after an impact on a plane.
+`cylinder` computes the impact of a rigid cylinder on a body.
 """
 
 from __future__ import annotations
@@ -39,7 +40,7 @@ plastigran fem throw --young 2.1e11 --poisson 0.3 --density 7850 --yield 3e8 --r
 plastigran fem press --help
 """
 
-#: Units of printed numbers; for ratios, the reference quantity.
+#: Text after each printed number: its unit, or an explanation of a ratio.
 UNITS = {
     "force": "N",
     "force_max": "N",
@@ -64,7 +65,7 @@ UNITS = {
     "coefficient_of_restitution": "from the momentum of the center of mass",
 }
 
-#: Units of table columns.
+#: Units of columns in printed tables.
 COLUMNS = {"frequency": "Hz", "measured": "Hz", "energy": "J"}
 
 
@@ -157,7 +158,7 @@ def _add_cylinder(command: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Compute, and print the numbers with their units, or all of them as JSON.
+    """Run the computation and print its results, as numbers with units or as JSON.
 
     Raises:
         ValueError: An argument is out of range, or the first increment does not converge.

@@ -30,7 +30,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Replace this process by LAMMPS.
+    """Start LAMMPS, which replaces this process.
 
     Raises:
         EngineError: The script, LAMMPS or the plugin is missing.

@@ -24,7 +24,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
 
 
 def flags(name: str) -> str:
-    """Return the features of a law, such as "hardens, indentation"."""
+    """Return the features of a law in words, such as "hardens, indentation"."""
     law = laws.LAWS[name]
     options = {option["name"] for option in law.options()}
     features = {
@@ -41,7 +41,7 @@ def flags(name: str) -> str:
 
 
 def constants(name: str) -> dict[str, object]:
-    """Return the source of a law, its constants by their names in decks, and its options."""
+    """Return the source, the constants (with their names in decks) and the options of a law."""
     law = laws.LAWS[name]
     parameters = [{**row, "name": property_name(row["name"])} for row in law.parameters()]
     return {"source": law.source, "constants": parameters, "options": law.options()}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`plastigran oblique`: oblique impacts of a sphere, by the laws without LIGGGHTS."""
+"""`plastigran oblique`: oblique impacts of a sphere, computed from the laws without LIGGGHTS."""
 
 from __future__ import annotations
 
@@ -116,7 +116,7 @@ def run(arguments: argparse.Namespace) -> None:
 
 
 def _draw(table: pd.DataFrame, path: Path) -> None:
-    from plastigran.plot.oblique import oblique_figure  # slow to load
+    from plastigran.plot.oblique import oblique_figure  # import here, because matplotlib is slow
     from plastigran.plot.style import save
 
     save(oblique_figure(table), path, (path.suffix,))

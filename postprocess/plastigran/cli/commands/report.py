@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`plastigran report`: one HTML page for runs of any kind."""
+"""`plastigran report`: one HTML page about runs of any kind."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    from plastigran.report.page import write_report  # imported here, because plotly is slow to load
+    from plastigran.report.page import write_report  # import here, because plotly is slow to load
 
     folders = arguments.folders
     default = folders[0] if len(folders) == 1 else Path("results")

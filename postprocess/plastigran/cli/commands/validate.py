@@ -16,12 +16,12 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    # Imported here, because matplotlib is slow to load.
+    # Import here, because matplotlib is slow to load.
     from plastigran.validation.report import ERRORS, EVIDENCE
     from plastigran.validation.summary import write_summaries
 
     made = run_evidence(EVIDENCE, EVIDENCE.title, arguments)
-    if arguments.docs:  # update the table in the package together with the pages
+    if arguments.docs:  # also update the table of errors in the package
         made.tables["errors"].to_csv(ERRORS, index=False)
         pages = write_summaries(arguments.docs / "laws", made.tables["errors"])
         if not arguments.json:

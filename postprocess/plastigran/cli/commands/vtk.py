@@ -19,7 +19,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    # Imported here, because matplotlib is slow to load.
+    # Import here, because matplotlib is slow to load.
     from plastigran.bulk.outcome import open_run
     from plastigran.bulk.vtk import write_vtk
 
