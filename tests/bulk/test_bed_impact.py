@@ -85,8 +85,9 @@ def test_bed_absorbs_the_shots(bed):
 
 
 def test_speeds_are_those_at_the_surface():
-    """A shot at a height of 0.1 m had left the surface at 2 m/s; shots below the surface or on
-    another shot have not rebounded."""
+    """A shot at a height of 0.1 m left the surface at 2 m/s. Shots that lie below the surface or on
+    another shot have not rebounded.
+    """
     shot = pd.DataFrame({"z": [0.101, 0.0005, 0.003], "vz": [(4 - 0.2 * 9.81) ** 0.5, 0.0, 0.0]})
     shot = shot.assign(z_before=0.002, vz_before=-1.0, plastic_work=3.0, touching=[0, 1, 1])
     measured = measure_shots(shot, 1e-3, 9.81)

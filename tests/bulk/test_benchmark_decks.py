@@ -28,7 +28,9 @@ def test_meshes_of_the_silo_have_the_orifices_of_the_deck():
 
 @pytest.mark.parametrize("count", [1000, 100000])
 def test_filling_of_the_silo_has_the_volume_fraction(count):
-    """The volume below the surface, integrated numerically; 1e-6 for 1e6 slices at the kink."""
+    """The volume below the surface is integrated numerically. The tolerance 1e-6 is the error of
+    1e6 slices at the kink of the surface.
+    """
     silo = deck("silo", grain_count=count)
     heights = (np.arange(1_000_000) + 0.5) * silo.filling_height / 1e6
     widths = np.minimum(0.1, 0.03 + heights)
@@ -54,7 +56,9 @@ def test_levels_of_the_drum():
 
 
 def test_yield_strengths_give_the_restitutions_of_the_benchmark():
-    """0.5 for grains M1 and 0.4 for M2 at 1 m/s; the strengths have three digits, 1e-3."""
+    """The restitution at 1 m/s is 0.5 for grains M1 and 0.4 for grains M2. The tolerance is 1e-3,
+    because the yield strengths have three digits.
+    """
     drum = deck("mixing_drum")
     grains = (
         (drum.radius, drum.density, drum.youngs_modulus, drum.yield_strength, 0.5),

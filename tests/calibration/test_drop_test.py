@@ -79,7 +79,7 @@ def test_wrong_drop_tests_are_refused(arguments, message):
 
 
 def test_the_metal_is_the_body_that_is_not_given():
-    """The contact of two equal bodies is half as stiff as that of one on a rigid plate."""
+    """E* of two equal bodies is half of E* of one such body on a rigid plate."""
     steel = pg.material("steel")
     on_rigid = DropTest([1.0], [0.5]).contact("thornton", steel)
     on_itself = DropTest([1.0], [0.5], plate=None).contact("thornton", steel)

@@ -43,7 +43,7 @@ def test_scales_are_converted_by_the_standards(hardness, vickers):
 
 
 def test_brinell_and_rockwell_scales_agree():
-    """The numbers are those of ASTM E140; the formula for HB is from ISO 18265."""
+    """The numbers come from ASTM E140, and the formula for HB comes from ISO 18265."""
     vickers = dict(zip(ROCKWELL_C, ROCKWELL_C_VICKERS, strict=True))
     for rockwell, brinell in {50: 481, 40: 371, 30: 286, 20: 226}.items():
         assert SCALES["HB"].vickers(brinell) == pytest.approx(vickers[rockwell], rel=0.015)

@@ -2,7 +2,8 @@
 """A sphere has one contact with a smooth surface of triangles, whose history moves across
 edges.
 
-Corners in a mesh file have seven digits. The round-off is some 1e-8 m here, 1e-4 of an overlap.
+Corners in a mesh file have seven digits. The round-off of a corner is about 1e-8 m, which is 1e-4
+of an overlap.
 """
 
 from __future__ import annotations

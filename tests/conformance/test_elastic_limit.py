@@ -46,7 +46,8 @@ def test_elastic_impact_returns_everything(law_name, law_between, pair):
 
 def test_unyielding_bodies_are_elastic(law_name, law_between):
     """With a very high yield strength, hard impacts are elastic to round-off. For cylinders, the
-    relative tolerance is 4e-14: their line contact is a table, which is fitted to 3e-14.
+    relative tolerance is 4e-14, because the law reads the line contact from a table with an error
+    of 3e-14.
     """
     strong = laws.combine(laws.Body(7e10, 0.3, 1e20), laws.Body(7e10, 0.3, 1e20))
     law = law_between(law_name, strong)

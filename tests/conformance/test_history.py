@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A contact of every law keeps its history through sorts, restarts and borders of ranks. It loses
-its history when it ends.
+"""A contact of every law keeps its history when atoms are sorted, a run restarts, or the contact
+crosses a border between ranks. The history is lost when the contact ends.
 """
 
 from __future__ import annotations

@@ -110,8 +110,8 @@ OTHER_LINES = {
 @pytest.mark.parametrize("owner", OTHER_LINES)
 def test_contacts_of_another_line_begin_anew(owner, tmp_path):
     """With another option or law, the log reports it, and only the contacts of that line start
-    without history. Unloading by a tenth of the overlap had reduced their force by at least 0.3 of
-    it.
+    without history. Before, unloading by a tenth of the overlap reduced the contact force by at
+    least 30 %.
     """
     commands, changed = OTHER_LINES[owner]
     log = run_with(commands, "stronge", tmp_path)

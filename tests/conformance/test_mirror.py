@@ -69,7 +69,7 @@ def test_two_equal_spheres_are_one_on_a_rigid_plane(sphere_law, body, law_betwee
 
 @pytest.mark.parametrize("stiffness", [0.2, 1.0, 5.0])
 def test_two_spheres_are_the_fitted_sphere(sphere_law, body, stiffness, law_between):
-    """The other of the two spheres is elastic, and softer or stiffer.
+    """One sphere yields. The second sphere is elastic, and softer or stiffer than the first sphere.
 
     Force, contact radius and energy agree on a path of loading, unloading and reloading.
     """
@@ -130,7 +130,8 @@ def test_the_range_of_a_fit_mirrors(name):
 
 @pytest.mark.parametrize("speed", [0.02, 0.3])
 def test_the_engine_mirrors(sphere_law, speed, tmp_path):
-    """In LIGGGHTS, a plane, a mesh and an equal sphere give the same impact, with the same error.
+    """In LIGGGHTS, impacts on a plane, on a mesh and on an equal sphere agree, and have the same
+    time-step error.
 
     The difference is round-off: 1e-16 of the radius, for overlaps of 1e-4 of the radius.
     """

@@ -56,7 +56,9 @@ def test_a_longer_periodic_side_runs(ranks, tmp_path):
 
 @pytest.mark.parametrize("runs", [1, 2])
 def test_one_large_sphere_to_be_inserted_is_one(runs, tmp_path):
-    """One sphere of 20 mm among spheres of 4 mm needs 24.1 mm, before and after its insertion."""
+    """One sphere of 20 mm among spheres of 4 mm needs a periodic side of 24.1 mm, before and after
+    the insertion of the large sphere.
+    """
     log = run_text(tmp_path, deck(0.025, INTRUDER, "run 5\n" * (runs - 1)))
     assert "inserted 1 particle templates" in log
     assert "must be at least 0.0241" in error_of(tmp_path, deck(0.024, INTRUDER))

@@ -58,7 +58,9 @@ def test_stock_liggghts_has_no_models_of_the_plugin(engine_law, tmp_path):
 
 
 def test_plugin_exports_nothing():
-    """An exported template instance would replace that of LIGGGHTS under LD_PRELOAD."""
+    """Under LD_PRELOAD, an exported template instance would replace the template instance of
+    LIGGGHTS.
+    """
     listed = subprocess.run(
         ["nm", "-D", "--defined-only", PLUGIN], capture_output=True, text=True, check=True
     )
@@ -77,7 +79,7 @@ def test_plugin_leaves_stock_models_alone(tmp_path):
 def test_liggghts_of_another_layout_is_refused(tmp_path):
     """A LIGGGHTS that exports the superquadric atom style has larger structures.
 
-    A library with just that symbol stands in for such a LIGGGHTS.
+    In this test, a library with only this symbol replaces such a LIGGGHTS.
     """
     source = tmp_path / "superquadric.c"
     source.write_text("const char _ZTVN9LAMMPS_NS18AtomVecSuperquadricE[1] = {0};\n")
@@ -110,7 +112,9 @@ def test_liggghts_of_another_version_is_refused(tmp_path):
 
 
 def test_single_processes_start_at_the_same_time(tmp_path):
-    """Each is an MPI process without mpirun, and must not use the session files of another."""
+    """Each LIGGGHTS process runs without mpirun, and must not use the MPI session files of another
+    process.
+    """
     (tmp_path / "empty.in").write_text("")
     line = [PROJECT / "build" / "liggghts-plastigran", "-in", "empty.in", "-log", "none"]
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`run 0` computes forces and moves nothing, so the next run is the same as without it."""
+"""`run 0` computes forces and moves nothing, so it does not change the next run."""
 
 from __future__ import annotations
 

@@ -190,9 +190,10 @@ def test_friction_adds_no_error_to_the_energy_balance(law, strength, tmp_path):
     an impact without friction. The rest is the error of friction. Velocity Verlet leaves an error
     of 7/16 (T dt)^2/m while the tangential force T acts, and none after it.
 
-    1e-6 of the kinetic energy: target of the balance error, set before the first run. The
+    The target of the balance error, 1e-6 of the kinetic energy, was set before the first run. The
     dissipated work, friction less the energy of the springs, does not fall, except for the error of
-    the trapezoidal rule. 1e-5 of the kinetic energy: set after the first run, which gave 1.4e-6.
+    the trapezoidal rule. The tolerance of this work, 1e-5 of the kinetic energy, was set after the
+    first run, which gave 1.4e-6.
     """
     for angle in (20, 70):
         drifts = []

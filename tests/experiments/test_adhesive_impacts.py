@@ -51,8 +51,9 @@ def test_impacts_stick_and_rebound(call, capsys):
 
 
 def test_the_remark_has_the_sticking_speed_of_each_sphere(call, capsys):
-    """Two spheres approach at twice the speed of each; R*, m* and E* are half of those at a
-    wall."""
+    """The relative speed of two spheres is twice the speed of each sphere. R*, m* and E* are half
+    of their values at a wall.
+    """
     half = jkr_sticking_speed(GAMMA, RADIUS / 2, 0.6e9 / 0.91, 2 / 3 * np.pi * RADIUS**3 * 1350) / 2
     assert main([*call, *LAWS, "--speed", "0.1", "--geometry", "two_spheres", "--theory"]) == 0
     printed = capsys.readouterr().out

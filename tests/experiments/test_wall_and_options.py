@@ -30,7 +30,7 @@ def test_the_engine_has_the_wall_of_theory(geometry, ball, wall, tmp_path):
 
 
 def test_a_rigid_wall_has_a_name():
-    """A sweep may contain it together with materials."""
+    """A sweep may contain the wall `rigid` together with materials."""
     runs = CentralImpact.theory(law="thornton", speed=0.1, wall=["rigid", "copper", RIGID])
     assert runs.table["wall"].tolist() == ["rigid", "copper"]
     with pytest.raises(
@@ -50,7 +50,9 @@ def test_a_wall_of_the_balls_metal_has_half_its_modulus():
 
 
 def test_an_option_reaches_law_and_engine(tmp_path):
-    """Theory equals a law that is created directly; LIGGGHTS agrees within 2e-3, as above."""
+    """Theory equals a law that is created directly; LIGGGHTS agrees within 2e-3, twice the error of
+    restitution at the recommended time step.
+    """
     case = CentralImpact("universal", 2.0, "steel", 0.005, options="yielding flat")
     law = laws.LAWS["universal"](case.pair, yielding="flat")
     by_hand = law.central_impact(case.radius_eff, case.mass_eff, case.closing_speed)
@@ -119,7 +121,7 @@ def test_options_go_to_the_laws_that_have_them():
 
 
 def test_a_law_of_dents_for_a_ball_that_flattens_is_said():
-    """The option for a yielding flat is used, but the ball yields."""
+    """The deck uses the option for a yielding flat, but the ball yields."""
     case = {"law": "universal", "speed": 1.0, "material": "steel", "wall": "zirconia"}
     said = "Steel on Zirconia: the ball yields, but --options 'yielding flat' describes a"
     assert said in str(CentralImpact.theory(**case, options="yielding flat"))

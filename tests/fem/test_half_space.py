@@ -53,7 +53,9 @@ def test_forces_on_both_bodies_are_opposite():
 
 
 def test_half_space_yields_below_its_surface_at_the_force_of_the_sphere():
-    """The stresses of Hertz' contact are symmetric, so the yielding body may be the half space."""
+    """The pressure of a Hertzian contact is the same on both bodies, so the half space yields at
+    the same force as a sphere.
+    """
     force = 1.15 * HertzSphere(METAL, RADIUS).yield_force
     pair = HertzSphere(STIFF, RADIUS, METAL)
     assert pair.yield_force == pytest.approx(HertzSphere(METAL, RADIUS).yield_force, rel=1e-4)

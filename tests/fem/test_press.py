@@ -78,7 +78,8 @@ def test_pressing_again_retraces_the_unloading(plastic_pressing):
     down, again = (history[history["branch"] == branch] for branch in (1, 2))
     retraced = np.interp(down["force"], again["force"], again["approach"])
     upper = down["force"] > 50
-    # The 2 % cover little reverse flow during unloading, and interpolation between ten steps.
+    # The tolerance of 2 % covers slight reverse plastic flow during unloading, and interpolation
+    # between ten steps.
     assert_allclose(retraced[upper], down["approach"][upper], rtol=0.02)
 
 
@@ -97,8 +98,8 @@ def test_yield_begins_below_the_surface_at_the_force_of_hertz():
     deepest = strained.positions[np.argmax(strained.plastic_strain)]
     radius = HERTZ.contact_radius(force)
     assert strained.plastic_strain.max() > 0
-    # The Gauss points nearest to the axis are beside it, and the tolerance of depth is an element.
-    # For nu = 0.3, the largest stress lies at a depth of 0.48 contact radii.
+    # No Gauss point lies on the axis. The tolerance of the depth is the side of an element. For nu
+    # = 0.3, the largest stress lies at a depth of 0.48 contact radii.
     assert deepest[0] < 0.3 * radius
     assert deepest[1] == pytest.approx(0.48 * radius, rel=0.35)
 

@@ -161,7 +161,7 @@ def run_bed_with(lines: str, folder: Path) -> str:
 
 
 def test_a_misspelt_factor_is_named(tmp_path):
-    """Without the message, the default 0.9 would be used unnoticed."""
+    """Without the message, the user would not notice that the default factor 0.9 is used."""
     factor = "fix f all property/global taylorQuinneyFaktor peratomtype 0.5"
     log = run_bed_with(factor + "\ninclude ${heat_decks}/warming_on.in", tmp_path)
     message = (

@@ -52,7 +52,9 @@ def test_a_deck_passes_its_checks(name, lammps_run):
 
 @pytest.mark.parametrize(("deck", "label"), [("cooling_gas", ""), ("bed_impact", "plate")])
 def test_both_hosts_give_the_same_series(deck, label, bulk_run):
-    """To 1e-9 of the largest value: the hosts write variables with other digits."""
+    """The series agree to 1e-9 of the largest value, because the hosts write variables with
+    different numbers of digits.
+    """
     brief = deck_class(deck).briefs[label]
     settings = {**brief.settings, **(brief.start if deck == "cooling_gas" else {})}
     series = [bulk_run(deck, settings | {"host": host}).series for host in ("lammps", "liggghts")]
@@ -97,7 +99,9 @@ def test_a_run_continues(name, lammps_run, tmp_path):
 
 
 def test_ranks_agree_on_the_first_impacts(bulk_run, tmp_path):
-    """To 1e-9 of the kinetic energy: ranks add forces in another order."""
+    """The energies agree to 1e-9 of the kinetic energy, because the number of ranks changes the
+    order in which forces are added.
+    """
     brief = deck_class("cooling_gas").briefs[""]
     settings = {**brief.settings, **brief.start, "host": "lammps"}
     one = bulk_run("cooling_gas", settings).series

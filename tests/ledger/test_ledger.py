@@ -65,8 +65,9 @@ def test_an_impact_closes(engine_law, geometry, tmp_path):
 
 @pytest.mark.parametrize("law", ["thornton", "lim_stronge", "universal", "mdr"])
 def test_an_impact_at_a_rate_closes(law, tmp_path):
-    """The laws rescale a table, have a closed form, or interpolate between tables. The limit is
-    2e-4 as above, and the rate factor is about 1.15."""
+    """The laws rescale a table, have a closed form, or interpolate between tables. The balance
+    error is below 2e-4 of the initial energy, and the rate factor is about 1.15.
+    """
     rate = {"rate_coefficient": 0.02, "reference_rate": 1e-3}
     plain = impact(law, tmp_path / "plain", geometry="plane")
     stronger = impact(law, tmp_path / "rate", geometry="plane", **rate)

@@ -16,7 +16,8 @@ def test_the_command_writes_every_table_and_picture(coarse):
 
 def test_sliding_leaves_a_deeper_track_at_the_same_largest_depth(coarse_table):
     ours = coarse_table("kp10", "comparison").set_index("quantity")["finite elements"]
-    # The paper calls them equal; with finer meshes they differ by one per cent.
+    # The paper states that the two values are equal. With finer meshes, they differ by one per
+    # cent.
     assert ours["largest depth, oblique/head-on"] == pytest.approx(1, abs=0.03)
     assert ours["oblique: residual depth"] > 1.5 * ours["head-on: residual depth"]
     # The cylinder slides up the front of its groove and leaves faster than it came.

@@ -37,7 +37,7 @@ def test_elastic_impacts_agree_with_hertz(coarse_table):
 def test_forces_agree_with_the_paper(coarse_table):
     table = coarse_table("zv02", "force")
     assert len(table) > 1
-    # The error is 1 % with the default mesh, and twice as large with a coarse one.
+    # The error is 1 % with the default mesh, and 2 % with the coarse mesh.
     assert (table["finite elements vs paper (%)"].abs() < 2).all()
     law = table["vu_quoc_zhang"]
     assert table["vu_quoc_zhang, LIGGGHTS"].to_numpy() == pytest.approx(law.to_numpy(), rel=1e-3)

@@ -199,7 +199,7 @@ def test_damaged_record_is_named(copied, text):
     ],
 )
 def test_damaged_entry_of_a_record_is_named(copied, entry, value, capsys):
-    """The error appears in a report, and in a run that would continue the damaged run."""
+    """A report and an attempt to continue the damaged run both show the error."""
     edit_json(copied / "run.json", {entry: value})
     made = section(copied)
     assert made.verdict == "record damaged"

@@ -58,8 +58,9 @@ def test_friction_without_spring_is_that_of_the_paper(rod, speed, tmp_path):
 
 
 def test_options_reach_the_law(tmp_path):
-    """Only the options of the law differ from the defaults of the deck. The relative tolerance is
-    1e-3, as above."""
+    """Only the options of the law differ from the defaults of the deck. The relative tolerance 1e-3
+    is the error of the recommended time step.
+    """
     run_deck(
         "collision/rod.in", {"law": "stronge", "options": "unloading original_radius"}, tmp_path
     )

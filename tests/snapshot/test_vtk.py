@@ -117,7 +117,9 @@ def test_command_writes_the_contacts_of_a_deck(bulk_run, tmp_path, capsys):
 
 
 def test_plastic_work_follows_from_history_and_overlap(yielding_law):
-    """The plastic work from history and overlap equals that of the whole path with unloading."""
+    """The plastic work from history and overlap equals the plastic work of the whole path with
+    unloading.
+    """
     grains = Grains(yielding_law, {}, read_material("aluminium_zv02"), 0.1)
     state = laws.LAWS[yielding_law].State()
     path = grains.contact_law().follow(0.05, np.array([5e-6, 2e-5, 1.2e-5, 1.5e-5]), state)

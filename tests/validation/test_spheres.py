@@ -26,7 +26,9 @@ def test_the_errors_of_universal_are_for_metals_outside_its_fit(compared):
 
 
 def test_errors_of_an_invented_law():
-    """Two rows lie in one regime and one in another; 3 and 4 % have an rms of 3.54 %."""
+    """Two rows lie in one regime, and one row lies in another regime. Errors of 3 % and 4 % have an
+    rms of 3.54 %.
+    """
     compared = pd.DataFrame(
         {
             "law": "invented",

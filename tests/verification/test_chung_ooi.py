@@ -66,7 +66,7 @@ def test_restitution_of_the_dashpot(tables):
 
 def test_a_dashpot_that_pulls_gives_what_is_asked(tmp_path):
     """LIGGGHTS' hertz, whose dashpot may pull until the overlap ends, has the given restitution.
-    The relative tolerance is 5e-4, as above.
+    The relative tolerance is 5e-4, the error of 1000 steps.
     """
     for asked in (0.4, 0.8):
         run_deck(
@@ -121,8 +121,8 @@ def test_equal_spheres_spinning_against_each_other_do_not_notice(tables):
 
 def test_unequal_spheres_keep_momentum(tmp_path):
     """Momentum along y and angular momentum about z of the pair are conserved, because the lever
-    arms of friction add up to the distance of the centers. The tolerance is round-off, relative to
-    the change by friction.
+    arms of friction add up to the distance of the centers. The tolerance is round-off, divided by
+    the change that friction causes.
     """
     case = evolve(few(8)[0], value=5.0)
     trajectory = steps(case, tmp_path)

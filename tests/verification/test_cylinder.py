@@ -122,7 +122,7 @@ def test_finite_elements():
     assert table.loc["katta_polycarpou", "overlap_res_error"] == pytest.approx(0.056, abs=0.002)
     assert table.loc["lim_stronge", "overlap_res_error"] == pytest.approx(0.636, abs=0.002)
     assert table.loc["katta_polycarpou", "contact_time"] == pytest.approx(1.8405e-6, rel=1e-4)
-    # The end of that run is only an upper bound of the contact time.
+    # The end of the finite-element run is only an upper bound of the contact time.
     assert np.isnan(table.loc["finite elements", "contact_time"])
     assert table.loc["finite elements", "contact_time_bound"] == 3e-6
 

@@ -12,8 +12,9 @@ ICE = (9.3e9, 0.25, 900.0, 0.01)
 
 
 def test_all_modes_but_the_toroidal_ones_are_there():
-    """The reference table has more degrees and overtones than are needed for all modes below the
-    highest frequency, 255 kHz."""
+    """The reference table contains all modes below the highest frequency, 255 kHz, because it has
+    more degrees and overtones than these modes need.
+    """
     table = sphere_modes(*ICE, degrees=range(8), overtones=4)
     table = table[(table["kind"] != "toroidal") & (table["frequency"] <= 255e3)]
     found = impact_modes(*ICE, highest=255e3)

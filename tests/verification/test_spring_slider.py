@@ -28,9 +28,9 @@ def test_sticking_spring_gains_or_loses_energy(poissons_ratio, gained):
     """A spring that hardly slides changes the tangential energy, here relative to the initial one.
     The force is k_t(a) times the path, and k_t changes with the contact radius a, so the spring
     does not conserve energy. The change depends on the number of oscillations during the contact,
-    and so on k_t / normal stiffness = 2 (1 - nu)/(2 - nu). It is a gain for small nu and a loss for
-    0.3. The tolerance 5e-4 is the round-off of the expected values, which are results of these
-    equations.
+    and so on k_t / normal stiffness = 2 (1 - nu)/(2 - nu). The energy increases for small nu and
+    decreases for nu = 0.3. The tolerance 5e-4 is the round-off of the expected values, which are
+    results of these equations.
     """
     pair = laws.combine(laws.Body(7e10, poissons_ratio, 1e30, 1.61), RIGID)
     impact = ObliqueImpact(pair, 0.01, 1.0, 50.0, 1.0, Motion(normal=1.0, along=0.3, spin=0.0))

@@ -11,7 +11,9 @@ from plastigran.physics import central
 
 
 def test_restitution_closed_form(paper_pair, paper_mass):
-    """Restitution follows the closed form to a relative 1e-9, its round-off near yield."""
+    """Restitution follows the closed form to a relative 1e-9, which is the round-off of the closed
+    form near yield.
+    """
     law = laws.Thornton(paper_pair)
     scale = central.yield_speed(paper_pair, 0.1, paper_mass)
     for ratio in [0.5, 0.99, 1.001, *np.geomspace(1.01, 1e4, 40)]:

@@ -86,7 +86,7 @@ def test_restitution_falls_with_speed_and_grows_with_radius():
 
 
 def test_only_the_number_matters():
-    """Spheres of different size, speed, stiffness and mass with one v* have one restitution."""
+    """Spheres of different size, speed, stiffness and mass have equal restitution at equal v*."""
     steel = laws.combine(laws.Body(2.1e11, 0.3), laws.Body(7e10, 0.33))
     scale = float(central.viscoelastic_number(1.0, 0.2, 3.0, steel.youngs_modulus_eff, 5.0))
     other = laws.ViscoelasticHertz(steel, dissipative_constant=(0.7 / scale) ** 2)

@@ -76,8 +76,9 @@ def test_force_driven_form_unloads_alike(law):
 
 
 def test_restitution_is_the_papers(law, paper_mass):
-    """The paper has 0.4773 at 0.20 m/s. The relative tolerance 1e-3 is the time-step error of its
-    simulation."""
+    """The restitution of the paper is 0.4773 at 0.20 m/s. The relative tolerance 1e-3 is the
+    time-step error of its simulation.
+    """
     found = law.central_impact(RADIUS, paper_mass, 0.2).coefficient_of_restitution
     assert found == pytest.approx(0.4773, rel=1e-3)
 
