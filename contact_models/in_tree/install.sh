@@ -38,7 +38,7 @@ for file in $(find plastigran liggghts -name '*.h' ! -path '*/plugin/*') \
 done
 for file in $(find liggghts -name '*.cpp' ! -path '*/plugin/*') in_tree/require_version.cpp \
   liggghts/plugin/any_model.cpp liggghts/plugin/foreign_histories.cpp \
-  liggghts/plugin/registration.cpp; do
+  liggghts/plugin/host_hertz.cpp liggghts/plugin/registration.cpp; do
   cp "$file" "$new"
 done
 

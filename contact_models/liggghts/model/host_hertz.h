@@ -17,16 +17,6 @@
 #include "neighbor.h"
 #include "update.h"
 
-// The header of LIGGGHTS' model contains its ID as an entry of a list, and the model.
-namespace LIGGGHTS {
-namespace ContactModels {
-#define NORMAL_MODEL(identifier, name, id) constexpr int identifier = id;
-#include "normal_model_hertz.h"
-#undef NORMAL_MODEL
-}  // namespace ContactModels
-}  // namespace LIGGGHTS
-#include "normal_model_hertz.h"
-
 namespace plastigran {
 
 class HostHertz : public LIGGGHTS::ContactModels::NormalModel<LIGGGHTS::ContactModels::HERTZ> {
