@@ -33,9 +33,16 @@ run             8000
 """
 
 
-#: `surface multicontact` keeps tangential springs of a plane that a sphere has left.
-SURFACES = {
-    "default": {"": ""},
+#: Changed words of the deck. `surface multicontact` keeps tangential springs of a plane that a
+#: sphere has left.
+MODELS = {
+    "universal": {"": ""},
+    "hertz": {
+        "boundary f f f": "boundary f f f\nhard_particles yes",
+        "model universal tangential history": "model hertz tangential partial_slip",
+        "neigh_modify": "fix e all property/global coefficientRestitution peratomtypepair 1 0.7\n"
+        "neigh_modify",
+    },
     "multicontact": {
         "tangential history": "tangential no_history surface multicontact",
         "fix gravity": "fix pressing all multicontact/halfspace geometric_prefactor 1\nfix gravity",
@@ -43,27 +50,27 @@ SURFACES = {
 }
 
 
-def trajectory(skin: float, surface: str, folder: Path) -> np.ndarray:
+def trajectory(skin: float, models: str, folder: Path) -> np.ndarray:
     """Return z, vx, vz, fz and omegay of all spheres, (steps * spheres, quantities)."""
     text = head("-0.1 0.2 -0.1 0.1 -0.01 0.1", skin) + DECK
-    for words, others in SURFACES[surface].items():
+    for words, others in MODELS[models].items():
         text = text.replace(words, others)
     run_text(folder, text)
     table = read_dump(folder / "trajectory.dump").sort_values(["step", "id"])
     return table[["z", "vx", "vz", "fz", "omegay"]].to_numpy()
 
 
-@pytest.mark.parametrize("surface", ["default", "multicontact"])
+@pytest.mark.parametrize("models", MODELS)
 @pytest.mark.parametrize("skin", [0.0, 1e-9])
-def test_a_small_skin_changes_no_contact(skin, surface, tmp_path):
+def test_a_small_skin_changes_no_contact(skin, models, tmp_path):
     """Each quantity changes by at most 1e-9 of its largest value, because sums have another order.
     `surface multicontact` depends on the skin if a sphere has several contacts, so only its first
     sphere is compared."""
-    expected = trajectory(2e-3, surface, tmp_path / "usual")
+    expected = trajectory(2e-3, models, tmp_path / "usual")
     pressed = expected[0::3, 3] > 0  # the sphere that hits only the plane
     assert np.count_nonzero(np.diff(pressed.astype(int)) == 1) >= 3
-    small_skin = trajectory(skin, surface, tmp_path / "small")
-    counted = slice(0, None, 3 if surface == "multicontact" else 1)
+    small_skin = trajectory(skin, models, tmp_path / "small")
+    counted = slice(0, None, 3 if models == "multicontact" else 1)
     off = np.abs(small_skin - expected)[counted]
     assert (off <= 1e-9 * np.abs(expected).max(axis=0)).all()
 

@@ -7,12 +7,11 @@
 #include <string>
 
 #include "contact_models.h"
-#include "liggghts/fixes/history_keeper.h"
 #include "liggghts/fixes/messages.h"
-#include "liggghts/fixes/motion_check.h"
 #include "liggghts/model/accounted_load.h"
 #include "liggghts/model/contact_owner.h"
 #include "liggghts/model/contact_setup.h"
+#include "liggghts/model/kept_histories.h"
 #include "liggghts/model/line_settings.h"
 #include "neighbor.h"
 #include "update.h"
@@ -53,11 +52,7 @@ class HostHertz : public LIGGGHTS::ContactModels::NormalModel<LIGGGHTS::ContactM
   }
 
   void connectToProperties(PropertyRegistry& registry) override {
-    const bool is_late = owner_.is_wall() && !find_fix<MotionCheck>(lmp);
-    const auto check = ensure_fix<MotionCheck>(lmp);
-    if (is_late) check->list_fixes_again();
-    if (!owner_.is_wall()) check->check_periodic_sides("model hertz");
-    HistoryKeeper& keeper = *HistoryKeeper::of(lmp, restarted_lines_);
+    HistoryKeeper& keeper = keep_histories(lmp, owner_, "model hertz", restarted_lines_, {});
     if (text_.empty())
       restore_settings(lmp, *this, keeper.restarted_settings(owner_.name()),
                        [this] { postSettings(nullptr, nullptr); });

@@ -20,13 +20,12 @@
 #include "domain.h"
 #include "global_properties.h"
 #include "liggghts/fixes/history_keeper.h"
-#include "liggghts/fixes/motion_check.h"
 #include "liggghts/fixes/plugin_fix.h"
-#include "liggghts/fixes/parted_walls.h"
 #include "liggghts/model/contact_owner.h"
 #include "liggghts/model/contact_setup.h"
 #include "liggghts/model/contact_checks.h"
 #include "liggghts/model/deck_properties.h"
+#include "liggghts/model/kept_histories.h"
 #include "liggghts/model/line_settings.h"
 #include "liggghts/model/normal_model_settings.h"
 #include "liggghts/model/radius_range.h"
@@ -79,7 +78,6 @@ class NormalModelSetup : public NormalModelBase {
   // LIGGGHTS calls this before every run. Collective.
   void connectToProperties(PropertyRegistry& registry) override {
     refuse_unsuitable();
-    add_motion_check();
     HistoryKeeper& keeper = keep_histories();
     const DeckProperties deck(lmp, caller(), registry.max_type());
     deck.check(pairs_.build(deck.materials<Law>(), settings_.choices));
@@ -131,20 +129,11 @@ class NormalModelSetup : public NormalModelBase {
     if (!unsuitable.empty()) fail(unsuitable);
   }
 
-  void add_motion_check() {
-    using plastigran::MotionCheck;
-    const bool is_late = owner_.is_wall() && !plastigran::find_fix<MotionCheck>(lmp);
-    const auto check = plastigran::ensure_fix<MotionCheck>(lmp);
-    if (is_late) check->list_fixes_again();
-    if (!owner_.is_wall() && !owner_.histories().empty()) check->check_periodic_sides(caller());
-  }
-
   // Adds the fixes that keep histories. Restores the settings of the line if LIGGGHTS made the
   // model from a restart file.
   HistoryKeeper& keep_histories() {
-    const auto parted = plastigran::ensure_fix<plastigran::PartedWalls>(lmp);
-    HistoryKeeper& keeper = *HistoryKeeper::of(lmp, restarted_lines_);
-    parted->set_state(owner_.name(), history_offset_, Law::state_names.size());
+    HistoryKeeper& keeper = plastigran::keep_histories(lmp, owner_, caller(), restarted_lines_,
+                                                       {history_offset_, Law::state_names.size()});
     if (settings_.text().empty())
       plastigran::restore_settings(lmp, *this, keeper.restarted_settings(owner_.name()),
                                    [this] { postSettings(nullptr, nullptr); });
