@@ -15,7 +15,7 @@ endfunction()
 
 # Sets `result` to the names of all laws, which are the names of their headers.
 function(find_laws result)
-  set(laws_dir ${PROJECT_SOURCE_DIR}/contact_models/plastigran/laws)
+  set(laws_dir ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../contact_models/plastigran/laws)
   file(GLOB headers CONFIGURE_DEPENDS RELATIVE ${laws_dir} ${laws_dir}/*.h)
   list(TRANSFORM headers REPLACE "\\.h$" "")
   set(${result} ${headers} PARENT_SCOPE)

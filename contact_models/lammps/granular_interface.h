@@ -149,7 +149,7 @@ class PairGranular : public Pair {
   double* unused_rigid_masses;
   int unused_nmax;
   int size_history, unused_heat;
-  double **unused_type_cutoffs, cutoff_global;
+  double **unused_type_cutoffs, unused_cutoff;
   int unused_extra;
 };
 static_assert(sizeof(PairGranular) == 0x430);

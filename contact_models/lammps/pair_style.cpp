@@ -37,8 +37,17 @@ std::vector<char*> pointers(std::vector<std::string>& words) {
 
 PairStyle::PairStyle(LAMMPS_NS::LAMMPS* lammps) : PairGranular(lammps) {
   comm_reverse = EnergyBalance::reverse_size;
-  cutoff_global = -1;  // LAMMPS leaves it unset, also after read_restart
+  set_cutoff("");
 }
+
+// LAMMPS leaves its cutoff unset after read_restart.
+void PairStyle::set_cutoff(const std::string& cutoff) {
+  cutoff_ = cutoff;
+  char* word = cutoff_.data();
+  PairGranular::settings(cutoff.empty() ? 0 : 1, &word);
+}
+
+void PairStyle::settings(int count, char** words) { set_cutoff(count == 1 ? words[0] : ""); }
 
 PairStyle* PairStyle::of(LAMMPS_NS::LAMMPS* lammps) {
   return dynamic_cast<PairStyle*>(lammps->force->pair_match("granular/plastigran", 1));
@@ -221,13 +230,16 @@ void PairStyle::write_restart(FILE* file) {
   for (const auto& [i, j] : mixed_) setflag[i][j] = 0;
   PairGranular::write_restart(file);
   for (const auto& [i, j] : mixed_) setflag[i][j] = 1;
-  std::fwrite(&cutoff_global, sizeof cutoff_global, 1, file);
-  for (int k = 0; k < nmodels; ++k) {
-    std::string text;
-    for (const std::string& word : models_.at(models_list[k]).line.words) text += word + ' ';
+  const auto write_text = [&](const std::string& text) {
     const int size = static_cast<int>(text.size());
     std::fwrite(&size, sizeof size, 1, file);
     std::fwrite(text.data(), 1, text.size(), file);
+  };
+  write_text(cutoff_);
+  for (int k = 0; k < nmodels; ++k) {
+    std::string text;
+    for (const std::string& word : models_.at(models_list[k]).line.words) text += word + ' ';
+    write_text(text);
   }
 }
 
@@ -239,14 +251,17 @@ void PairStyle::read_restart(FILE* file) {
                                error);
     MPI_Bcast(bytes, size, MPI_BYTE, 0, world);
   };
-  read_bytes(&cutoff_global, sizeof cutoff_global);
-  std::vector<std::pair<GranularModel*, ContactLine>> mixed;
-  for (int k = 0; k < nmodels; ++k) {
+  const auto read_text = [&] {
     int size = 0;
     read_bytes(&size, sizeof size);
     std::string text(static_cast<std::size_t>(size), ' ');
     read_bytes(text.data(), size);
-    const ContactLine line = read(LAMMPS_NS::utils::split_words(text), "read_restart");
+    return text;
+  };
+  set_cutoff(read_text());
+  std::vector<std::pair<GranularModel*, ContactLine>> mixed;
+  for (int k = 0; k < nmodels; ++k) {
+    const ContactLine line = read(LAMMPS_NS::utils::split_words(read_text()), "read_restart");
     if (line.mixed)
       mixed.push_back({models_list[k], line});
     else

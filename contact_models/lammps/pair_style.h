@@ -37,6 +37,7 @@ class PairStyle : public LAMMPS_NS::PairGranular, public ContactTally {
   std::shared_ptr<const RuntimeLaw> law(const ContactLine& line, const Body& one, const Body& other,
                                         const std::string& command);
 
+  void settings(int count, char** words) override;
   void coeff(int count, char** words) override;
   void init_style() override;
   void setup() override;
@@ -53,6 +54,7 @@ class PairStyle : public LAMMPS_NS::PairGranular, public ContactTally {
     std::shared_ptr<const RuntimeLaw> law;
   };
 
+  void set_cutoff(const std::string& cutoff);
   void add_model(const std::string& types, const std::string& other_types, const ContactLine& line,
                  const Body& one, const Body& other);
   void set_model(LAMMPS_NS::Granular_NS::GranularModel* model, const ContactLine& line,
@@ -62,6 +64,7 @@ class PairStyle : public LAMMPS_NS::PairGranular, public ContactTally {
   void check_particle_ids();
   void expect_impacts();
 
+  std::string cutoff_;  // argument of pair_style; empty if it has none
   std::map<LAMMPS_NS::Granular_NS::GranularModel*, Model> models_;
   std::vector<std::pair<int, int>> mixed_;  // pairs of atom types that no line names together
 };

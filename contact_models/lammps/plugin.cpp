@@ -6,20 +6,19 @@
 
 #include "error.h"
 #include "lammps.h"
-#include "lammps/energy_balance.h"
-#include "lammps/energy_compute.h"
-#include "lammps/pair_style.h"
-#include "lammps/particle_values.h"
-#include "lammps/run_time_checks.h"
-#include "lammps/wall_style.h"
+#include "lammps/styles/compute_plastigran.h"
+#include "lammps/styles/fix_plastigran.h"
+#include "lammps/styles/pair_plastigran.h"
+#include "library.h"
 
 namespace plastigran {
 namespace {
 
 using LAMMPS_NS::LAMMPS;
 
+template <class Style>
 void* make_pair(void* lammps) {
-  return static_cast<LAMMPS_NS::Pair*>(new PairStyle(static_cast<LAMMPS*>(lammps)));
+  return static_cast<LAMMPS_NS::Pair*>(new Style(static_cast<LAMMPS*>(lammps)));
 }
 
 template <class Style, class Base>
@@ -52,6 +51,7 @@ extern "C" __attribute__((visibility("default"))) void lammpsplugin_init(void* h
                                                                          void* register_style) {
   using namespace plastigran;
   auto* const lammps = static_cast<LAMMPS*>(host);
+  if (lammps_has_style(host, "pair", "granular/plastigran")) return;  // compiled into LAMMPS
   if (!fits(*lammps)) {
     lammps->error->warning(FLERR,
                            "plastigranplugin.so was built for LAMMPS {} ({}), but this is LAMMPS "
@@ -70,18 +70,19 @@ extern "C" __attribute__((visibility("default"))) void lammpsplugin_init(void* h
     plugin.name = name;
     reinterpret_cast<lammpsplugin_regfunc>(register_style)(&plugin, lammps);
   };
-  plugin.creator.v1 = &make_pair;
-  add("pair", "granular/plastigran");
-  plugin.creator.v2 = &make<WallStyle<LAMMPS_NS::FixWallGran>, LAMMPS_NS::Fix>;
-  add("fix", "wall/gran/plastigran");
-  plugin.creator.v2 = &make<WallStyle<LAMMPS_NS::FixWallGranRegion>, LAMMPS_NS::Fix>;
-  add("fix", "wall/gran/region/plastigran");
-  plugin.creator.v2 = &make<EnergyBalance, LAMMPS_NS::Fix>;
-  add("fix", "plastigran/energy");
-  plugin.creator.v2 = &make<RunTimeChecks, LAMMPS_NS::Fix>;
-  add("fix", "plastigran/checks");
-  plugin.creator.v2 = &make<ParticleValues, LAMMPS_NS::Fix>;
-  add("fix", "plastigran/values");
-  plugin.creator.v2 = &make<EnergyCompute, LAMMPS_NS::Compute>;
-  add("compute", "plastigran/energy");
+#define PAIR_CLASS
+#define PairStyle(name, Class)              \
+  plugin.creator.v1 = &make_pair<Class>; \
+  add("pair", #name)
+#include "lammps/styles/pair_plastigran.h"
+#define FIX_CLASS
+#define FixStyle(name, Class)                          \
+  plugin.creator.v2 = &make<Class, LAMMPS_NS::Fix>; \
+  add("fix", #name)
+#include "lammps/styles/fix_plastigran.h"
+#define COMPUTE_CLASS
+#define ComputeStyle(name, Class)                          \
+  plugin.creator.v2 = &make<Class, LAMMPS_NS::Compute>; \
+  add("compute", #name)
+#include "lammps/styles/compute_plastigran.h"
 }

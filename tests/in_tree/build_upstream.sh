@@ -23,32 +23,9 @@ exec 9>"$work/lock"
 flock 9
 tree=$work/liggghts
 
-# Download the tarball of Debian's source package with private package lists, without root.
-fetch() {
-  command -v apt-get >/dev/null || fail "apt-get is needed to download the LIGGGHTS source package"
-  # The mirror of this machine as "URI SUITE/COMPONENT"; Debian's own if there are no package lists.
-  repository=$(LC_ALL=C apt-cache policy liggghts | awk '/ Packages$/ { print $2, $3; exit }')
-  [ -n "$repository" ] ||
-    repository="http://deb.debian.org/debian $(. /etc/os-release && echo "$VERSION_CODENAME")/main"
-  distribution=${repository#* }
-
-  rm -rf "$work/apt"
-  mkdir -p "$work/apt/lists/partial" "$work/apt/cache/archives/partial"
-  printf 'deb-src [signed-by=%s] %s %s %s\n' /usr/share/keyrings/debian-archive-keyring.gpg \
-    "${repository% *}" "${distribution%/*}" "${distribution##*/}" >"$work/apt/sources.list"
-  set -- -q -o "Dir::Etc::sourcelist=$work/apt/sources.list" -o Dir::Etc::sourceparts=- \
-    -o "Dir::State::lists=$work/apt/lists" -o "Dir::Cache=$work/apt/cache"
-  cd "$work/apt"
-  apt-get "$@" update || fail "apt-get update failed; is the network reachable?"
-  apt-get "$@" source --tar-only --download-only liggghts ||
-    fail "apt-get could not download the source of liggghts"
-  mv liggghts_*.orig.tar.* "$work"
-  cd "$work"
-  rm -r apt
-}
-
 unpack() {
-  [ -n "$(find "$work" -maxdepth 1 -name 'liggghts_*.orig.tar.*')" ] || fetch
+  [ -n "$(find "$work" -maxdepth 1 -name 'liggghts_*.orig.tar.*')" ] ||
+    (cd "$work" && "$here/fetch_source.sh" liggghts)
   rm -rf "$tree" "$work/build"
   mkdir "$tree"
   tar -x -f "$work"/liggghts_*.orig.tar.* -C "$tree" --strip-components=1

@@ -46,7 +46,7 @@ def test_a_deck_passes_its_checks(name, lammps_run):
     assert {name.partition("-")[0], "ledger"} <= run.figures.keys()
     record = json.loads((run.folder / "run.json").read_text())
     assert record["settings"]["host"] == record["versions"]["host"] == "lammps"
-    assert record["versions"]["engine"].startswith("LAMMPS (22 Jul 2025")
+    assert record["versions"]["engine"].startswith("LAMMPS (")
     assert (run.folder / "log.lammps").exists()
 
 

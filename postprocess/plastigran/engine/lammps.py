@@ -57,11 +57,12 @@ def lammps_environment() -> dict[str, str]:
 def lammps_start(ranks: int = 1) -> list[str]:
     """Return the first words of the command line: LAMMPS, after `mpiexec` for several ranks.
 
-    `mpiexec` must be in the folder of LAMMPS.
+    The `mpiexec` in the folder of LAMMPS is used, or that on the path if there is none.
     """
     program = lammps_path()
-    launcher = [str(program.parent / "mpiexec"), "-n", str(ranks)] if ranks > 1 else []
-    return [*launcher, str(program)]
+    beside = program.parent / "mpiexec"
+    launcher = [str(beside) if beside.is_file() else "mpiexec", "-n", str(ranks)]
+    return [*(launcher if ranks > 1 else []), str(program)]
 
 
 LAMMPS = Host(

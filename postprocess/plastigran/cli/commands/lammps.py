@@ -44,4 +44,4 @@ def run(arguments: argparse.Namespace) -> None:
     for variable in arguments.variables:
         words += ["-var", *variable]
     line = [*lammps_start(arguments.ranks), *words]
-    os.execve(line[0], line, lammps_environment())
+    os.execvpe(line[0], line, lammps_environment())
