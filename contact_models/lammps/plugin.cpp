@@ -71,17 +71,17 @@ extern "C" __attribute__((visibility("default"))) void lammpsplugin_init(void* h
     reinterpret_cast<lammpsplugin_regfunc>(register_style)(&plugin, lammps);
   };
 #define PAIR_CLASS
-#define PairStyle(name, Class)              \
+#define PairStyle(name, Class)           \
   plugin.creator.v1 = &make_pair<Class>; \
   add("pair", #name)
 #include "lammps/styles/pair_plastigran.h"
 #define FIX_CLASS
-#define FixStyle(name, Class)                          \
+#define FixStyle(name, Class)                       \
   plugin.creator.v2 = &make<Class, LAMMPS_NS::Fix>; \
   add("fix", #name)
 #include "lammps/styles/fix_plastigran.h"
 #define COMPUTE_CLASS
-#define ComputeStyle(name, Class)                          \
+#define ComputeStyle(name, Class)                       \
   plugin.creator.v2 = &make<Class, LAMMPS_NS::Compute>; \
   add("compute", #name)
 #include "lammps/styles/compute_plastigran.h"

@@ -133,6 +133,26 @@ constexpr std::array<Option<typename Law::Parameters>, 0> options_of{};
 template <class Law>
 constexpr auto options_of<Law, std::void_t<decltype(Law::options)>> = Law::options;
 
+// Return the constants and options of a law for `Parameters`, which derives from the law's own, and
+// then `more`.
+template <class Law, class Parameters, class... More>
+constexpr auto inherited_parameters(const More&... more) {
+  std::array<Parameter<Parameters>, parameters_of<Law>.size() + sizeof...(More)> all{};
+  std::size_t k = 0;
+  for (const auto& p : parameters_of<Law>)
+    all[k++] = {p.name, p.unit, p.value, p.lower, p.upper, p.meaning, p.per_body};
+  ((all[k++] = more), ...);
+  return all;
+}
+template <class Law, class Parameters, class... More>
+constexpr auto inherited_options(const More&... more) {
+  std::array<Option<Parameters>, options_of<Law>.size() + sizeof...(More)> all{};
+  std::size_t k = 0;
+  for (const auto& o : options_of<Law>) all[k++] = {o.name, o.value, o.choices, o.meaning};
+  ((all[k++] = more), ...);
+  return all;
+}
+
 template <class Law, class = void>
 constexpr const char* shape = "sphere";
 template <class Law>

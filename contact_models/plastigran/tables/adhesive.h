@@ -61,25 +61,10 @@ class Adhesive {
   struct Parameters : Law::Parameters {
     double surface_energy = required;
   };
-  static constexpr auto parameters = [] {
-    std::array<Parameter<Parameters>, parameters_of<Law>.size() + 1> all{};
-    std::size_t k = 0;
-    for (const auto& p : parameters_of<Law>)
-      all[k++] = {p.name, p.unit, p.value, p.lower, p.upper, p.meaning, p.per_body};
-    all[k] = {"surface_energy",
-              "J/m^2",
-              &Parameters::surface_energy,
-              0,
-              1e3,
-              "work of adhesion Gamma of the two surfaces"};
-    return all;
-  }();
-  static constexpr auto options = [] {
-    std::array<Option<Parameters>, options_of<Law>.size()> all{};
-    std::size_t k = 0;
-    for (const auto& o : options_of<Law>) all[k++] = {o.name, o.value, o.choices, o.meaning};
-    return all;
-  }();
+  static constexpr auto parameters = inherited_parameters<Law, Parameters>(
+      Parameter<Parameters>{"surface_energy", "J/m^2", &Parameters::surface_energy, 0, 1e3,
+                            "work of adhesion Gamma of the two surfaces"});
+  static constexpr auto options = inherited_options<Law, Parameters>();
 
   struct State {
     double in_contact = 0;       // 1 from first touch to pull-off

@@ -191,20 +191,9 @@ class GuardedTable : public CurveTable<Curve, Unloading> {
   struct Parameters : Curve::Parameters {
     int energy_guard = 1;
   };
-  static constexpr auto parameters = [] {
-    std::array<Parameter<Parameters>, parameters_of<Curve>.size()> all{};
-    std::size_t k = 0;
-    for (const auto& p : parameters_of<Curve>)
-      all[k++] = {p.name, p.unit, p.value, p.lower, p.upper, p.meaning, p.per_body};
-    return all;
-  }();
-  static constexpr auto options = [] {
-    std::array<Option<Parameters>, options_of<Curve>.size() + 1> all{};
-    std::size_t k = 0;
-    for (const auto& o : options_of<Curve>) all[k++] = {o.name, o.value, o.choices, o.meaning};
-    all[k] = energy_guard_option<Parameters>(&Parameters::energy_guard);
-    return all;
-  }();
+  static constexpr auto parameters = inherited_parameters<Curve, Parameters>();
+  static constexpr auto options = inherited_options<Curve, Parameters>(
+      energy_guard_option<Parameters>(&Parameters::energy_guard));
 
   GuardedTable(const MaterialPair& pair, const Parameters& constants)
       : CurveTable<Curve, Unloading>(pair, constants, constants.energy_guard == 1) {}
