@@ -10,7 +10,8 @@
 
 namespace plastigran {
 
-std::vector<TypeExtremes> type_extremes(LAMMPS_NS::LAMMPS* lammps);  // by type - 1
+// Returns the extremes of atom type k + 1 at index k.
+std::vector<TypeExtremes> type_extremes(LAMMPS_NS::LAMMPS* lammps);
 
 std::vector<int> all_types(int count);
 

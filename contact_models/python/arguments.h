@@ -50,7 +50,8 @@ class Broadcast {
     const Column& column = columns_[argument];
     return column.array.is_valid() ? column.array.data()[element] : column.number;
   }
-  const std::vector<std::size_t>& shape() const { return shape_; }  // empty if all are numbers
+  // Returns the common shape of the arrays; empty if all arguments are numbers.
+  const std::vector<std::size_t>& shape() const { return shape_; }
   std::size_t size() const { return size_; }
 
  private:

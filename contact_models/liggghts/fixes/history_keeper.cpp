@@ -47,7 +47,8 @@ std::string HistoryKeeper::restarted_lines(LAMMPS_NS::LAMMPS* engine) {
 
 void HistoryKeeper::connect(const std::string& owner, const ContactLine& line) {
   ContactLine& connected = connected_[owner];
-  // Not empty if an earlier run of this line had no setup.
+  // The line may have been registered before a run that had no setup. Keep what that run did not
+  // report.
   const ContactLine earlier = std::exchange(connected, line);
   connected.is_new = line.is_new || earlier.is_new;
   if (line.report.empty()) connected.report = earlier.report;

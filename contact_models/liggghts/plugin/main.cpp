@@ -23,7 +23,8 @@ namespace {
 
 struct CommandLine {
   std::string deck;
-  std::map<std::string, std::string> values;  // values of -var by "${NAME}"; of several, the first
+  // First value of each variable set by -var, with the key "${NAME}".
+  std::map<std::string, std::string> values;
 
   CommandLine(int argc, char** argv) {
     for (int i = 1; i + 1 < argc; ++i) {

@@ -120,7 +120,8 @@ class ParametricTable : public Curve {
       const double slope = 2 * at.radius * Curve::radius_slope(s) - x * Curve::curvature_slope(s);
       const double step = slope > 0 ? std::min(-value / slope, s) : s;
       s += step;
-      if (std::abs(step) <= 1e-8 * s) break;  // quadratic: the next step is round-off
+      // The next step would be about the square of this one, which is round-off.
+      if (std::abs(step) <= 1e-8 * s) break;
     }
     return s;
   }
