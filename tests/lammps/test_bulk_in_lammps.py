@@ -6,6 +6,7 @@ from __future__ import annotations
 import json
 import shutil
 
+import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
@@ -15,6 +16,8 @@ from plastigran.bulk.run import run_bulk
 from plastigran.bulk.series import read_series
 from plastigran.cli import main
 from plastigran.engine.checkpoints import PATTERN, step_of
+from plastigran.engine.versions import HOSTS
+from plastigran.plot.frame_files import DamagedFrame, find_frames, read_frame_file
 
 #: Decks with the labels of their short runs, and changes of these. The error of the work of the
 #: punch by the trapezoidal rule depends on the number of rows.
@@ -98,6 +101,29 @@ def test_a_run_continues(name, lammps_run, tmp_path):
         assert_allclose(continued[column][rows], expected[column][rows], rtol=0, atol=scale)
 
 
+def test_frames_contain_the_grains_as_in_liggghts(bulk_run, tmp_path):
+    """The hosts write at least six digits. A truncated frame of LAMMPS is left out."""
+    brief = deck_class("cooling_gas").briefs[""]
+    settings = {**brief.settings, **brief.start, "frames": 2}
+    runs = {host: bulk_run("cooling_gas", settings | {"host": host}) for host in HOSTS}
+    frames = {host: find_frames(run.folder) for host, run in runs.items()}
+    assert [f.step for f in frames["lammps"]] == [f.step for f in frames["liggghts"]]
+    grains = {}
+    for host, (*_, last) in frames.items():
+        data = read_frame_file(last.grains)
+        order = np.argsort(data["id"])
+        columns = [data.points, data["v"], data["radius"], data["type"], data["f_plastic_work"]]
+        grains[host] = [np.asarray(column, float)[order] for column in columns]
+    for ours, theirs in zip(*grains.values(), strict=True):
+        assert_allclose(ours, theirs, rtol=0, atol=1e-5 * abs(theirs).max())
+    work = runs["lammps"].series["plastic"].iloc[-1]
+    assert_allclose(grains["lammps"][-1].sum(), work, rtol=1e-6)
+    cut = tmp_path / "grains_1.dump"
+    cut.write_bytes(frames["lammps"][-1].grains.read_bytes()[:-200])
+    with pytest.raises(DamagedFrame):
+        read_frame_file(cut)
+
+
 def test_ranks_agree_on_the_first_impacts(bulk_run, tmp_path):
     """The energies agree to 1e-9 of the kinetic energy, because the number of ranks changes the
     order in which forces are added.
@@ -115,7 +141,10 @@ def test_ranks_agree_on_the_first_impacts(bulk_run, tmp_path):
     ("line", "message"),
     [
         ("drum --host lammps", "drum runs only in LIGGGHTS. Decks that run in LAMMPS: bed_impact,"),
-        ("hopper --host lammps -v frames=2", "frames is 2; in LAMMPS, it must be 0"),
+        (
+            "hopper --host lammps -v contact_history=1",
+            "contact_history is 1; in LAMMPS, it must be 0",
+        ),
         (
             "hopper --host lammps -v tangential=no_history",
             "tangential is no_history; in LAMMPS, it must be off or history",

@@ -14,7 +14,7 @@ from test_vtk import read_run
 
 from plastigran.bulk.vtk import write_vtk
 from plastigran.cli import main
-from plastigran.plot.frame_files import DamagedFrame, SnapshotError, find_frames, read_vtk
+from plastigran.plot.frame_files import DamagedFrame, SnapshotError, find_frames, read_frame_file
 from plastigran.plot.grain_movie import save_grain_movie
 from plastigran.plot.snapshot import draw
 
@@ -85,9 +85,9 @@ def test_file_that_is_truncated_anywhere_is_damaged(run, name):
     for place in (0, *(place for place in lines if place < needed), len(text) - 5):
         file.write_text(text[:place])
         with pytest.raises(DamagedFrame, match=rf"{name}_100\.vtk is cut short or damaged"):
-            read_vtk(file)
+            read_frame_file(file)
     file.write_text(text)
-    assert read_vtk(file).n_points
+    assert read_frame_file(file).n_points
 
 
 @pytest.mark.filterwarnings("default:.* is left out")

@@ -12,7 +12,6 @@ from plastigran.engine.deck import index_variables
 SUPPORTED = {
     "tangential": ("off", "history", "partial_slip", "incremental"),
     "rolling_friction": ("off",),
-    "frames": ("0",),
     "contact_history": ("0",),
 }
 

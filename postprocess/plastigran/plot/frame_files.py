@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Find the VTK files of the frames of a run, and check that they are complete.
+"""Find the files of the frames of a run, and check that they are complete.
+
+LIGGGHTS writes frames as VTK files, LAMMPS as text dumps of the grains.
 
 This module needs pyvista, an optional dependency: `pip install pyvista`.
 """
@@ -13,6 +15,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import attrs
+import numpy as np
+import pandas as pd
 
 if TYPE_CHECKING:
     import pyvista
@@ -32,7 +36,7 @@ class DamagedFrame(SnapshotError):
 
 @attrs.frozen
 class Frame:
-    """VTK files of one time step of a run; None for files that do not exist.
+    """Files of one time step of a run; None for files that do not exist.
 
     Attributes:
         step: Time step number.
@@ -62,7 +66,7 @@ def find_frames(folder: str | Path) -> list[Frame]:
 
     def files_by_step(name: str) -> dict[int, Path]:
         # Select names with a step number, because LIGGGHTS also writes VTK files of bounding boxes.
-        files = folder.glob(f"{name}_[0-9]*.vtk")
+        files = [*folder.glob(f"{name}_[0-9]*.vtk"), *folder.glob(f"{name}_[0-9]*.dump")]
         return {int(path.stem.removeprefix(f"{name}_")): path for path in files}
 
     grains, contacts, mesh = map(files_by_step, ("grains", "contacts", "mesh"))
@@ -99,7 +103,7 @@ def whole_frames(frames: Iterable[Frame]) -> list[Frame]:
         try:
             for path in (frame.grains, frame.contacts, frame.mesh):
                 if path is not None:
-                    read_vtk(path)
+                    read_frame_file(path)
             whole.append(frame)
         except DamagedFrame as error:
             warnings.warn(f"{error}; the frame of step {frame.step} is left out", stacklevel=2)
@@ -108,12 +112,14 @@ def whole_frames(frames: Iterable[Frame]) -> list[Frame]:
     return whole
 
 
-def read_vtk(path: Path) -> pyvista.DataSet:
-    """Read a VTK file of a frame. A file without points is valid and causes no warning.
+def read_frame_file(path: Path) -> pyvista.DataSet:
+    """Read a file of a frame. A file without points is valid and causes no warning.
 
     Raises:
         DamagedFrame: The file is incomplete.
     """
+    if path.suffix == ".dump":
+        return _read_dump(path)
     pyvista = load_pyvista()
     content = path.read_bytes()
     if not content.endswith(b"\n"):
@@ -138,3 +144,31 @@ def read_vtk(path: Path) -> pyvista.DataSet:
     if not whole:
         raise DamagedFrame(path)
     return data
+
+
+def _read_dump(path: Path) -> pyvista.DataSet:
+    """Read the grains in a text dump of LAMMPS as points with the columns of LIGGGHTS' VTK files.
+
+    Raises:
+        DamagedFrame: The file is incomplete.
+    """
+    pyvista = load_pyvista()
+    lines = path.read_text().splitlines()
+    if len(lines) < 9 or len(lines) != 9 + int(lines[3]):
+        raise DamagedFrame(path)
+    names = lines[8].split()[2:]
+    try:
+        rows = np.array([line.split() for line in lines[9:]], float).reshape(-1, len(names))
+    except ValueError:  # the last line is incomplete
+        raise DamagedFrame(path) from None
+    table = pd.DataFrame(rows, columns=names)
+    if table.empty:
+        return pyvista.PolyData()
+    grains = pyvista.PolyData(table[["x", "y", "z"]].to_numpy())
+    grains["v"] = table[["vx", "vy", "vz"]].to_numpy()
+    for name in ("id", "type"):
+        grains[name] = table[name].to_numpy(int)
+    grains["radius"] = table["radius"].to_numpy()
+    if "d_plastigran_work" in table:
+        grains["f_plastic_work"] = table["d_plastigran_work"].to_numpy()
+    return grains

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import attrs
 import numpy as np
 
-from plastigran.plot.frame_files import DamagedFrame, Frame, SnapshotError, read_vtk
+from plastigran.plot.frame_files import DamagedFrame, Frame, SnapshotError, read_frame_file
 
 if TYPE_CHECKING:
     import pyvista
@@ -55,7 +55,7 @@ def grain_values(frame: Frame, quantity: str) -> np.ndarray:
         DamagedFrame: A file is incomplete.
         SnapshotError: The frame has no values of this quantity.
     """
-    grains = read_vtk(frame.grains)
+    grains = read_frame_file(frame.grains)
     if not grains.n_points:
         return np.zeros(0)
     try:
@@ -73,7 +73,7 @@ def contact_forces(frame: Frame) -> np.ndarray:
     """
     if frame.contacts is None:
         raise SnapshotError(f"{frame.grains.parent} has no contacts_{frame.step}.vtk")
-    lines = read_vtk(frame.contacts)
+    lines = read_frame_file(frame.contacts)
     return _norms(lines["force"]) if lines.n_cells else np.zeros(0)
 
 
@@ -107,8 +107,8 @@ def read_frame(frame: Frame) -> GrainFrame:
         DamagedFrame: A file is incomplete.
         SnapshotError: A file lacks a column, or pyvista is not installed.
     """
-    grains, walls = read_vtk(frame.grains), np.empty((0, 3, 3))
-    if frame.mesh and (mesh := read_vtk(frame.mesh)).n_cells:
+    grains, walls = read_frame_file(frame.grains), np.empty((0, 3, 3))
+    if frame.mesh and (mesh := read_frame_file(frame.mesh)).n_cells:
         walls = np.asarray(mesh.points, float)[mesh.regular_faces]
     if not grains.n_points:  # a file without grains has no columns
         none = np.zeros(0)
@@ -149,7 +149,7 @@ def _largest_forces(frame: Frame, positions: np.ndarray) -> np.ndarray:
 
     largest, forces = np.zeros(len(positions)), contact_forces(frame)
     if len(forces):
-        ends = np.asarray(read_vtk(frame.contacts).points, float).reshape(-1, 3)
+        ends = np.asarray(read_frame_file(frame.contacts).points, float).reshape(-1, 3)
         # The file of contacts does not identify grains. Find them by the ends of the contact lines,
         # which are grain centers with six digits. Omit ends that are not at a grain center: their
         # contacts cross a periodic boundary.

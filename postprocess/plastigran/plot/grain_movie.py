@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from plastigran.plot.frame_files import Frame, SnapshotError, read_vtk, whole_frames
+from plastigran.plot.frame_files import Frame, SnapshotError, read_frame_file, whole_frames
 from plastigran.plot.frames import GRAIN_QUANTITIES, contact_forces, grain_values
 from plastigran.plot.snapshot import draw
 from plastigran.progress import ProgressBar
@@ -53,7 +53,7 @@ def save_grain_movie(
             f"{path} cannot be a movie: its name must end in {' or '.join(writers)}"
         )
     frames = whole_frames(frames)
-    if not any(read_vtk(frame.grains).n_points for frame in frames):
+    if not any(read_frame_file(frame.grains).n_points for frame in frames):
         raise SnapshotError("no frame contains grains")
     values = [contact_forces(f) if contacts else grain_values(f, colour) for f in frames]
     together = np.concatenate([np.zeros(0), *values])
@@ -75,11 +75,11 @@ def _bounds(frames: Sequence[Frame]) -> list[float]:
     """Return the bounds along x, y and z [m] of all grains and meshes of all frames."""
     boxes = []
     for frame in frames:
-        grains = read_vtk(frame.grains)
+        grains = read_frame_file(frame.grains)
         if grains.n_points:
             reach = grains["radius"].max() * np.array([-1, 1])
             boxes.append(np.reshape(grains.bounds, (3, 2)) + reach)
-        if frame.mesh and (mesh := read_vtk(frame.mesh)).n_points:
+        if frame.mesh and (mesh := read_frame_file(frame.mesh)).n_points:
             boxes.append(np.reshape(mesh.bounds, (3, 2)))
     low, high = np.min(boxes, axis=0)[:, 0], np.max(boxes, axis=0)[:, 1]
     return np.stack([low, high], axis=1).ravel().tolist()

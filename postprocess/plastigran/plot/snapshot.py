@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from plastigran.plot.colour_scale import ColourScale, colour_scale
-from plastigran.plot.frame_files import Frame, SnapshotError, load_pyvista, read_vtk
+from plastigran.plot.frame_files import Frame, SnapshotError, load_pyvista, read_frame_file
 from plastigran.plot.frames import GRAIN_QUANTITIES, contact_forces, grain_values
 
 if TYPE_CHECKING:
@@ -78,7 +78,7 @@ def draw(
     else:
         _add_grains(plotter, frame, colour, span)
     if frame.mesh:
-        plotter.add_mesh(read_vtk(frame.mesh), color="grey", opacity=0.25, show_edges=False)
+        plotter.add_mesh(read_frame_file(frame.mesh), color="grey", opacity=0.25, show_edges=False)
     side, up = VIEWS[view]
     plotter.set_background("white")
     plotter.view_vector(side, viewup=up, bounds=bounds)
@@ -91,7 +91,7 @@ def draw(
 
 
 def _add_grains(plotter: pyvista.Plotter, frame: Frame, colour: str, span: Span) -> None:
-    grains, values = read_vtk(frame.grains), grain_values(frame, colour)
+    grains, values = read_frame_file(frame.grains), grain_values(frame, colour)
     if not len(values):
         if span:
             return
@@ -108,7 +108,7 @@ def _add_grains(plotter: pyvista.Plotter, frame: Frame, colour: str, span: Span)
 
 def _add_contacts(plotter: pyvista.Plotter, frame: Frame, span: Span) -> None:
     pyvista, force = load_pyvista(), contact_forces(frame)
-    lines, grains = read_vtk(frame.contacts), read_vtk(frame.grains)
+    lines, grains = read_frame_file(frame.contacts), read_frame_file(frame.grains)
     if not span and not grains.n_points:
         raise SnapshotError(f"{frame.grains} contains no grains")
     # Omit contacts across a periodic boundary, because their lines would cross the whole box.

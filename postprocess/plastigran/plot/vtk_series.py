@@ -12,7 +12,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 
-from plastigran.plot.frame_files import Frame, read_vtk
+from plastigran.plot.frame_files import Frame, read_frame_file
 
 #: Columns that are renamed: names in the files of LIGGGHTS, and names in the written files.
 GRAINS = {"v": "velocity", "f_plastic_work": "plastic_work"}
@@ -24,7 +24,7 @@ def contact_table(frame: Frame) -> dict[str, np.ndarray]:
 
     The columns are id1, id2, overlap [m], radius_eff [m] and the further columns of the VTK file.
     """
-    contacts, grains = read_vtk(frame.contacts), read_vtk(frame.grains)
+    contacts, grains = read_frame_file(frame.contacts), read_frame_file(frame.grains)
     if not contacts.n_cells:
         return {name: np.zeros(0) for name in ("id1", "id2", *CONTACTS.values(), "radius_eff")}
     table = {CONTACTS.get(name, name): np.asarray(contacts[name]) for name in contacts.cell_data}
@@ -40,7 +40,7 @@ def write_grains(frame: Frame, path: Path) -> None:
 
     For a run with energy balance, the points also have plastic_work [J].
     """
-    grains = read_vtk(frame.grains)
+    grains = read_frame_file(frame.grains)
     for old, new in GRAINS.items():
         if old in grains.point_data:
             grains.rename_array(old, new, preference="point")
@@ -53,7 +53,7 @@ def write_contacts(frame: Frame, path: Path, more: Mapping[str, np.ndarray]) -> 
     The columns are id1, id2, overlap [m], force, force_normal, force_tangential [N] and the columns
     `more`, each (N,) for N contacts.
     """
-    contacts = read_vtk(frame.contacts)
+    contacts = read_frame_file(frame.contacts)
     for old, new in CONTACTS.items():
         if old in contacts.cell_data:
             contacts.rename_array(old, new, preference="cell")
@@ -64,7 +64,7 @@ def write_contacts(frame: Frame, path: Path, more: Mapping[str, np.ndarray]) -> 
 
 def write_mesh(frame: Frame, path: Path) -> None:
     """Write the walls of a frame as triangles with IDs."""
-    surface = read_vtk(frame.mesh).extract_surface(algorithm="dataset_surface")
+    surface = read_frame_file(frame.mesh).extract_surface(algorithm="dataset_surface")
     surface.save(path, compression=None)
 
 
