@@ -79,7 +79,9 @@ def read_record(folder: str | Path) -> dict:
     try:
         record = json.loads(path.read_text())
     except ValueError as error:
-        raise EngineError(f"{path}: {error}") from None
+        raise EngineError(
+            f"{path} is damaged: {error}. Restore the file or repeat the run"
+        ) from None
     except RecursionError:
         raise EngineError(
             f"{path} is damaged: the JSON is nested too deeply. Restore the file or repeat the run"
