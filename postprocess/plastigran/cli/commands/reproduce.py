@@ -21,8 +21,8 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
     add_evidence_arguments(command, "results/PAPER", "docs/papers")
     bulk = command.add_argument_group(
         "bulk benchmarks",
-        "Only for dosta24. An interrupted command continues its runs. Finished runs are used again, "
-        "also with --force.",
+        "Only for dosta24. An interrupted command continues its runs. Finished runs are used again "
+        "even with --force.",
     )
     bulk.add_argument("--case", choices=("impact", "silo", "drum"), help="case, default all")
     bulk.add_argument("--grains", type=positive_integer, help="number of grains (only impact)")
