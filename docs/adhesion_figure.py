@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Adhesion of laws that yield: restitution over speed, and pull-off force over the largest load.
+"""Draw restitution versus speed, and pull-off force versus largest load, of laws with adhesion.
 
 .venv/bin/python docs/adhesion_figure.py     # the tables of docs/adhesion.md; some seconds
 """
@@ -57,7 +57,7 @@ def impacts() -> pd.DataFrame:
 
 
 def pull_off() -> pd.DataFrame:
-    """Return load and pull-off force [N] of steel by law and overlap, and those of full plasticity.
+    """Return load and pull-off force [N] of steel, by law and overlap, and for full plasticity.
 
     The reference uses pressure and contact radius of the law at the largest load.
     """
@@ -79,7 +79,7 @@ def pull_off() -> pd.DataFrame:
 
 @styled()
 def adhesion_figure() -> Figure:
-    """Draw restitution over impact speed, and pull-off force over the largest load."""
+    """Draw restitution versus impact speed, and pull-off force versus the largest load."""
     figure, (left, right) = subplots(1, 2, figsize=(8.6, 3.6))
     styles = {"thornton_ning_1998": ("black", "-"), "thornton": (law_colour("thornton"), "--")}
     styles["universal"] = law_colour("universal"), ":"

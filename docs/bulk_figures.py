@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The figures of the bulk decks' pages; each runs its deck, a minute or more."""
+"""Draw the figures on the pages of the bulk decks. Each function runs its deck."""
 
 from __future__ import annotations
 
@@ -30,13 +30,13 @@ COOLING = {
 
 
 def bulk(deck: str, **settings: object) -> BulkRun:
-    """Run a bulk deck in a temporary folder; its checks must pass."""
+    """Run a bulk deck in a temporary folder. Stop if a check of the deck fails."""
     with tempfile.TemporaryDirectory() as folder:
         return run_bulk(deck, settings, Path(folder) / deck).raise_if_failed()
 
 
 def cooling_gases() -> Figure:
-    """Draw a plastic and a viscoelastic gas of the same grains: a minute or two each."""
+    """Draw a plastic and a viscoelastic gas of the same grains, in four minutes."""
     runs = {law: bulk("cooling_gas", law=law, side=10, **given) for law, given in COOLING.items()}
     gas = runs["vu_quoc_zhang"].deck
     rate = gas.gas().cooling_rate(gas.temperature)
@@ -44,7 +44,7 @@ def cooling_gases() -> Figure:
 
 
 def compactions() -> Figure:
-    """Draw grains of three strengths, compressed to the same density: a minute each."""
+    """Draw grains of three strengths, compressed to the same density, in three minutes."""
     settings = {"die_radius": 0.0075, "layers": 9, "relative_density": 0.7, "release": 0.3}
     runs = {
         f"$\\sigma_Y$ = {strength / 1e3:g} kPa": bulk(
@@ -56,7 +56,7 @@ def compactions() -> Figure:
 
 
 def shot_figures() -> dict[str, Figure]:
-    """Draw shot on a plate and on a bed with the deck's defaults: a minute or two each."""
+    """Draw shot on a plate and on a bed with the defaults of the deck, in four minutes."""
     return {
         f"bed_impact_{target}": bulk("bed_impact", target=target).figures["bed_impact"]
         for target in ("plate", "bed")
@@ -64,7 +64,7 @@ def shot_figures() -> dict[str, Figure]:
 
 
 def hoppers() -> Figure:
-    """Draw the discharge of one bed from every orifice: one to four minutes each."""
+    """Draw the discharge of a bed through each orifice, in one to four minutes per orifice."""
     runs = [bulk("hopper", orifice=orifice) for orifice in orifices()]
     courses = [(r.series, r.deck.discharge(r.series), r.deck.grains.mass) for r in runs]
     return orifices_figure(courses)
@@ -79,7 +79,7 @@ def draw_drum(folder: Path) -> None:
 
 
 def draw_collision_spectra(folder: Path) -> None:
-    """Draw the impacts in a drum; the run is too short for its check of power."""
+    """Draw the impacts in a drum. The run is too short for the check of the power."""
     settings = {"spectra": "on", "length": "0.03", "duration": "0.4"}
     with tempfile.TemporaryDirectory() as results:
         run = run_bulk("drum", settings, Path(results) / "drum")
@@ -99,7 +99,7 @@ def draw_uniaxial_test(folder: Path) -> None:
 
 
 def draw_flow_function(folder: Path) -> None:
-    """Draw nine uniaxial tests: five minutes."""
+    """Draw nine uniaxial tests, in five minutes."""
     with tempfile.TemporaryDirectory() as runs:
         table = flow_functions(Path(runs))
     save(flow_function_figure(table), folder / "flow_function", (".png",))
@@ -115,7 +115,7 @@ def draw_hopper(folder: Path) -> None:
 
 
 def draw_hopper_grains(folder: Path) -> None:
-    """Draw the grains of a hopper half-way, colored by plastic work."""
+    """Draw the grains of a hopper after half of its run, colored by plastic work."""
     with tempfile.TemporaryDirectory() as run:
         run_bulk("hopper", {"layers": "10", "frames": "8"}, Path(run) / "run")
         frames = find_frames(Path(run) / "run")

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Print the error of finite elements from Hertz, and the effect of each setting on them.
+"""Print the error of finite elements relative to Hertz, and the effect of each setting.
 
     .venv/bin/python docs/convergence.py [elastic] [press] [throw] [vibrate] [strike]
 
@@ -25,13 +25,14 @@ from plastigran.fem.sphere.throw import throw
 from plastigran.fem.sphere.vibrate import vibrate
 from plastigran.fem.theory.hertz import HertzSphere
 
-#: The sphere of Zhang & Vu-Quoc 2002 (Int. J. Impact Eng. 27:317), pressed and thrown [m, N, m/s].
+#: The sphere of Zhang & Vu-Quoc 2002 (Int. J. Impact Eng. 27:317), compressed and in impact
+#: [m, N, m/s].
 METAL = ElasticPlastic(
     youngs_modulus=70e9, poissons_ratio=0.3, density=2699.0, hardening=LinearHardening(100e6)
 )
 RADIUS, FORCE, SPEED = 0.1, 1500.0, 0.02
 
-#: The sphere of ice of docs/papers/chamoli.md, thrown [m, m/s].
+#: Impact of the sphere of ice of docs/papers/chamoli.md [m, m/s].
 ICE = ElasticPlastic(youngs_modulus=9.3e9, poissons_ratio=0.25, density=900.0)
 ICE_RADIUS, ICE_SPEED = 0.01, 5.0
 VIBRATE_VARIATIONS = {
@@ -41,7 +42,7 @@ VIBRATE_VARIATIONS = {
     "penalty": (15.0, 200.0),
 }
 
-#: The head-on strike of docs/papers/kp10.md, and its settings.
+#: Head-on impact of docs/papers/kp10.md, and its settings.
 STRIKE = CylinderStrike(
     material=ElasticPlastic(
         youngs_modulus=79.5e9,
@@ -86,7 +87,7 @@ def convergence(
     variations: Variations,
     settings: Settings | None = None,
 ) -> pd.DataFrame:
-    """Return measured numbers with one setting changed at a time.
+    """Return the results of computations in which one setting at a time is changed.
 
     The first row has the unchanged settings. Columns are `changed`, `value`, the numbers, and their
     difference from the first row in per cent, `<name>_change`.
@@ -125,7 +126,7 @@ def elastic_table(
 def press_table(
     variations: Variations = PRESS_VARIATIONS, settings: Settings | None = None
 ) -> pd.DataFrame:
-    """Return the effect of each setting on a press."""
+    """Return the effect of each setting on a quasi-static compression."""
     names = ["approach", "contact_radius", "residual_approach", "coefficient_of_restitution"]
 
     def measure(settings: Settings) -> dict[str, float]:
@@ -137,7 +138,7 @@ def press_table(
 def throw_table(
     variations: Variations = THROW_VARIATIONS, settings: Settings | None = None
 ) -> pd.DataFrame:
-    """Return the effect of each setting on a throw."""
+    """Return the effect of each setting on a dynamic impact."""
     names = ("force_max", "overlap_max", "contact_time", "coefficient_of_restitution")
 
     def measure(settings: Settings) -> dict[str, float]:
@@ -167,7 +168,7 @@ def vibrate_table() -> pd.DataFrame:
 
 
 def strike_table() -> pd.DataFrame:
-    """Return the effect of each setting on a strike."""
+    """Return the effect of each setting on an impact of a cylinder."""
     names = ("residual_depth", "coefficient_of_restitution", "force_max")
 
     def measure(settings: Settings) -> dict[str, float]:

@@ -23,7 +23,7 @@ STRESSES = (2.5e3, 5e3, 1e4)  # Pa
 ENERGIES = (0.0, 2.0, 4.0)  # J/m^2
 #: A sample of 500 grains.
 SAMPLE = {"side": 5, "layers": 10}
-#: Cells along the side of the mold; the grains of the second sample have 2/3 of the radius.
+#: Number of cells along the side of the mold. The second sample has grains of 2/3 the radius.
 SIDES = (4, 6)
 SEEDS = (1, 2, 3)
 #: Radius [m], time step [s] and surface energy [J/m^2] of the larger grains.
@@ -31,7 +31,7 @@ RADIUS, TIMESTEP, ENERGY = 1.25e-3, 3.75e-6, 2.5
 
 
 def run(folder: Path, **settings: object) -> BulkRun:
-    """Return a run of the deck, read from its folder if it has finished."""
+    """Return a run of the deck. A finished run is read from its folder."""
     words = "_".join(f"{name}_{value:g}" for name, value in settings.items())
     if (folder / words / "checks.csv").exists():
         return open_run(folder / words)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The figure of a law's page: force over overlap, and restitution over speed."""
+"""Draw the figure of a law's page: force versus overlap, and restitution versus speed."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ RADIUS = 0.01  # the figures are dimensionless; any size gives the same
 
 
 def sphere_law(name: str):
-    """A law for the paper's sphere, its elastic limit, and force and overlap at yield."""
+    """Return a law for the sphere of its paper, the elastic law, and force and overlap at yield."""
     pair = laws.combine(read_material("aluminium_zv02").body(), RIGID)
     overlap_y = RADIUS * laws.yield_radius_ratio(pair) ** 2
     force_y = 4 / 3 * pair.youngs_modulus_eff * np.sqrt(RADIUS) * overlap_y**1.5
@@ -30,7 +30,7 @@ def sphere_law(name: str):
 
 
 def cylinder_law(name: str):
-    """The same for a cylinder ten radii long on a body ten radii thick."""
+    """Return the same for a cylinder with a length of ten radii on a body as thick as ten radii."""
     glass = read_material("glass_kp10")
     pair, strong = (
         laws.combine(body.body(), RIGID) for body in (glass, evolve(glass, yield_strength=1e20))
@@ -42,7 +42,7 @@ def cylinder_law(name: str):
 
 
 def law_figure(name: str) -> Figure:
-    """A load, partial unload, reload, unload path, and restitution over impact speed."""
+    """Draw a path of loading, partial unloading, reloading and unloading, and the restitution."""
     setting = {"sphere": sphere_law, "cylinder": cylinder_law}[laws.LAWS[name].shape]
     law, unyielding, force_y, overlap_y, yield_speed = setting(name)
     with styled():
@@ -70,7 +70,7 @@ def law_figure(name: str) -> Figure:
 
 
 def viscoelastic_figure() -> Figure:
-    """Impacts of one speed at three dissipative constants, and restitution over impact speed."""
+    """Draw impacts at three dissipative constants, and restitution versus impact speed."""
     ice, speed = read_material("ice"), 0.01
     pair = laws.combine(ice.body(), RIGID)
     mass = 4 / 3 * np.pi * RADIUS**3 * ice.density
@@ -129,7 +129,7 @@ def viscoelastic_figure() -> Figure:
 
 
 def powder_figure(name: str, **constants: float) -> Figure:
-    """Draw a contact that is loaded and pulled apart, and restitution over impact speed.
+    """Draw a contact that is loaded and then pulled apart, and restitution versus impact speed.
 
     The body is a sphere of 2.45 µm with the constants of ammonium fluorescein, on silicon.
     """
@@ -155,7 +155,7 @@ def powder_figure(name: str, **constants: float) -> Figure:
     return figure
 
 
-# Laws whose page needs another figure than a path of overlaps.
+# Laws whose figure shows something else than a path of overlaps.
 OWN_FIGURES = {
     "viscoelastic_hertz": viscoelastic_figure,
     "jkr": partial(powder_figure, "jkr", surface_energy=0.2),

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Draw the figures of the docs, and the tables that stand beside them on the same pages.
+"""Draw the figures of the docs, and update the tables on the same pages.
 
-    ./run figures --list       the parts
-    ./run figures              all of them: an hour; stopped, it goes on where it was
-    ./run figures NAME ...     these
-    ./run figures --again      all of them from the first
+    ./run figures --list       list the parts
+    ./run figures              draw all parts, in about an hour; a repeated command continues
+    ./run figures NAME ...     draw the named parts
+    ./run figures --again      draw all parts again
 
-Laws and papers are found and never listed.
+Figures of new laws and papers are drawn without further changes here.
 """
 
 from __future__ import annotations
@@ -35,9 +35,10 @@ from plastigran.plot.style import save
 
 PROJECT = Path(__file__).parents[1]
 FIGURES = PROJECT / "docs" / "figures"
-#: Names of the parts that the present round has drawn.
+#: File with the names of the parts that are already drawn.
 DONE = PROJECT / "results" / "figures" / "done.txt"
-#: Settings of the study of each experiment with figures, and their files by name in `Runs.figures`.
+#: For each experiment: settings of its study, and files of its figures by their names in
+#: `Runs.figures`.
 EXPERIMENTS = {
     "impact": ({"speed": PAPER_SPEEDS}, {"restitution": "restitution.png"}),
     "cylinder": ({}, {"maps_10": "cylinder_maps.png", "comparison": "cylinder_comparison.svg"}),
@@ -47,12 +48,12 @@ EXPERIMENTS = {
         {"benchmark_4": "chung_ooi_4.png", "benchmark_6": "chung_ooi_6.png"},
     ),
 }
-#: Heights of fall and rebound of a steel ball on a rigid plate [m], as an example.
+#: Example of a drop test: heights of fall and rebound of a steel ball on a rigid plate [m].
 DROPS = [(0.05, 0.0215), (0.05, 0.0222), (0.10, 0.0385), (0.20, 0.0680), (0.50, 0.1490)]
 
 
 def draw_experiment(name: str, folder: Path) -> None:
-    """Draw the figures that `EXPERIMENTS` names of an experiment."""
+    """Draw the figures of an experiment that `EXPERIMENTS` lists."""
     settings, files = EXPERIMENTS[name]
     with tempfile.TemporaryDirectory() as results:
         runs = find_experiments()[name].study(results, **settings)
@@ -61,7 +62,7 @@ def draw_experiment(name: str, folder: Path) -> None:
 
 
 def draw_calibration(folder: Path) -> None:
-    """Draw the law with the drops of docs/calibrate.md, and with finite elements: a minute."""
+    """Draw the calibrations of docs/calibrate.md by drops and by finite elements, in a minute."""
     steel = {"youngs_modulus": 206e9, "poissons_ratio": 0.3, "density": 7850.0}
     falls, rebounds = np.array(DROPS).T
     drops = DropTest(np.sqrt(2 * 9.81 * falls), np.sqrt(rebounds / falls))
@@ -74,24 +75,24 @@ def draw_calibration(folder: Path) -> None:
 
 
 def draw_fit(folder: Path) -> None:
-    """Draw the finite elements on one curve and the errors of `universal`: some minutes."""
+    """Draw the fit of `universal` to finite elements, and its errors, in some minutes."""
     from plastigran.validation.spheres.fit import main as fit
 
     fit(["--figures", str(folder)])
 
 
 def draw_overview(folder: Path) -> None:
-    """Draw the first figure of README and docs: some seconds."""
+    """Draw the first figure of README and docs, in some seconds."""
     save(overview_figure(), folder / "overview", (".png",))
 
 
 def draw_adhesion(folder: Path) -> None:
-    """Draw the laws with adhesion: some seconds."""
+    """Draw the laws with adhesion, in some seconds."""
     save(adhesion_figure(), folder / "adhesion", (".png",))
 
 
 def run_command(words: list[str], pages: str, folder: Path) -> None:
-    """Run a report of `plastigran` that writes its pages and their pictures.
+    """Run a command of `plastigran` that writes tables and pictures into pages of the docs.
 
     Raises:
         RuntimeError: The command failed and printed the reason.
@@ -103,7 +104,7 @@ def run_command(words: list[str], pages: str, folder: Path) -> None:
 
 
 def parts() -> dict[str, Callable[[Path], None]]:
-    """Return functions that draw the parts into a folder of figures, by name."""
+    """Return the functions that draw the parts into a folder, by name of the part."""
     papers = {
         name: partial(run_command, ["reproduce", name], "papers")
         for name in sorted(paper_names())
@@ -125,7 +126,7 @@ def parts() -> dict[str, Callable[[Path], None]]:
 
 
 def draw_all(all_parts: dict[str, Callable[[Path], None]], folder: Path, again: bool) -> None:
-    """Draw the parts that the present round has not drawn; the last part ends the round."""
+    """Draw the parts that `DONE` does not list, and remove `DONE` after the last part."""
     if again:
         DONE.unlink(missing_ok=True)
     done = set(DONE.read_text().split()) if DONE.exists() else set()
@@ -139,7 +140,7 @@ def draw_all(all_parts: dict[str, Callable[[Path], None]], folder: Path, again: 
 
 
 def main(words: list[str], folder: Path = FIGURES) -> None:
-    """Draw the named parts, or all."""
+    """Draw the named parts, or all parts."""
     parser = argparse.ArgumentParser(prog="./run figures", description=__doc__.splitlines()[0])
     all_parts = parts()
     parser.add_argument(

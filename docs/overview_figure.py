@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The first figure of README and docs: restitution over impact speed, computed and measured."""
+"""Draw the first figure of README and docs: computed and measured restitution versus speed."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ TYPED_RESTITUTION = 0.6
 
 
 def finite_elements() -> tuple[laws.MaterialPair, np.ndarray, np.ndarray]:
-    """Return the metal on a rigid plane, and v/v_Y and restitution by finite elements."""
+    """Return metal and rigid plane, and v/v_Y and restitution computed by finite elements."""
     rows = table()
     rows = rows[rows["metal"] == METAL]
     return (
@@ -33,7 +33,7 @@ def finite_elements() -> tuple[laws.MaterialPair, np.ndarray, np.ndarray]:
 
 
 def measured_steel() -> tuple[np.ndarray, np.ndarray]:
-    """Return v/v_Y and measured restitution of Leeb testers on steel of known hardness."""
+    """Return v/v_Y and the restitution that Leeb testers measured on steel of known hardness."""
     readings = leeb_table()
     ratio = [speed_ratio(TESTERS["D"], strength) for strength in flow_stress(readings["HV"])]
     return np.array(ratio), readings["HLD"].to_numpy() / 1000
@@ -48,7 +48,7 @@ def restitution(law: str, pair: laws.MaterialPair, ratio: np.ndarray) -> np.ndar
 
 @styled()
 def overview_figure() -> Figure:
-    """Draw finite elements, measurements, `universal`, `thornton` and a typed-in restitution."""
+    """Draw finite elements, measurements, `universal`, `thornton` and a prescribed restitution."""
     pair, computed_ratio, computed = finite_elements()
     measured_ratio, measured = measured_steel()
     ratio = np.geomspace(0.3, measured_ratio.max(), 200)

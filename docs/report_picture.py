@@ -25,7 +25,7 @@ TO_TOP = """at => {
   document.documentElement.style.scrollPaddingTop = element.style.scrollMarginTop = 0;
   element.scrollIntoView();
 }"""
-#: Time-out [ms]; a busy machine draws slowly.
+#: Time-out [ms], long enough for a busy machine.
 TIMEOUT = 120_000
 
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Print the measurements of two bulk decks with a stiff material, and with the softened one.
+"""Print the results of two bulk decks with a stiff material and with the softened material.
 
     .venv/bin/python docs/softening.py [--decks drum hopper] [--factors 1 0.01 0.001 0.0001]
                                        [--seeds 1 2 3] [--output FOLDER]
@@ -38,7 +38,7 @@ SHARES = ("plastic", "friction", "viscous")
 
 
 def stiff_material() -> Material:
-    """Return granules that are 10 000 times as stiff as those of the decks; same restitution."""
+    """Return granules 10 000 times as stiff as in the decks, with the same restitution."""
     granules = read_material("soft_granules")
     return attrs.evolve(
         granules,

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Build the site of the pages in docs: `./run site`, into build/site/index.html.
+"""Build a web site from the pages in docs: `./run site` writes build/site/index.html.
 
-Pages are copied beside links to the project's other folders, so that what they point to is found
-from there too; those made of the code are written among them; Sphinx does the rest, and any
-warning of it is an error.
+The pages are copied to a folder with links to the other folders of the project, so that links in
+the pages work there. Pages that are generated from the code are written to the same folder. Sphinx
+converts all pages. A warning of Sphinx is an error.
 """
 
 from __future__ import annotations
@@ -24,12 +24,15 @@ import plastigran
 from plastigran import laws
 
 PROJECT = Path(__file__).resolve().parents[2]
-#: Pages of the top folder that the site has among the others.
+#: Pages of the project's top folder that belong to the site.
 TOP = ("CONTRIBUTING.md", "CODE_OF_CONDUCT.md", "CHANGELOG.md")
 
 
 def stage(source: Path) -> Path:
-    """Lay out what Sphinx reads; files that did not change keep their time. Returns the pages."""
+    """Write the input of Sphinx, and return the folder of the pages.
+
+    Unchanged files keep their time of modification.
+    """
     pages = source / "docs"
     pages.mkdir(parents=True, exist_ok=True)
     for folder in ("inputs", "contact_models", "tests", "postprocess", "benchmarks", "examples"):
@@ -55,7 +58,7 @@ def stage(source: Path) -> Path:
 
 
 def navigation(pages: Path) -> str:
-    """The table of contents of toc.yml, its patterns filled in; pages it does not name come last.
+    """Return the table of contents: toc.yml with its patterns replaced by the matching pages.
 
     If the title of a page found by a pattern has a colon, the text before it is the entry, such as
     the name of a law.
@@ -94,7 +97,7 @@ def _entry(pages: Path, page: Path) -> dict[str, str]:
 
 
 def build(target: Path) -> int:
-    """Build the site into a folder; 0 when nothing was warned of."""
+    """Build the site into a folder. Return 0 if Sphinx gave no warning."""
     pages = stage(target.parent / f"{target.name}_pages")
     _write(pages / "toc.yml", navigation(pages))
     doctrees = target.parent / f"{target.name}_doctrees"
@@ -110,7 +113,7 @@ def build(target: Path) -> int:
 
 
 def _state(pages: Path) -> str:
-    """Return a digest of all that every page may depend on.
+    """Return a hash of all files on which every page may depend.
 
     It contains the names of the pages, because links are resolved when a page is read, and the
     package, which notebooks and references run.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""How Sphinx makes the site of the pages in docs. `./run site` builds it (docs/site/build.py)."""
+"""Settings of Sphinx for the web site of the docs, which `./run site` builds."""
 
 from importlib.metadata import version as version_of
 
@@ -18,21 +18,21 @@ extensions = [
 exclude_patterns = ["site", "*.py", "_build"]
 external_toc_path = "toc.yml"  # written by build.py
 
-# Pages: Markdown as a git host shows it.
+# Pages in the Markdown dialect of git hosts.
 myst_heading_anchors = 4
 myst_enable_extensions = ["smartquotes"]
-suppress_warnings = ["ref.python"]  # a name in an annotation that several classes have
+suppress_warnings = ["ref.python"]  # several classes have members of the same name
 
-# Notebooks: Markdown that runs while the site is built; what fails stops the build.
+# Notebooks are Markdown pages whose code runs during the build. An error in it stops the build.
 nb_execution_mode = "force"
 nb_execution_raise_on_error = True
 nb_execution_timeout = 120
 nb_execution_show_tb = True
 nb_merge_streams = True
 
-# The Python reference, made of docstrings (docs/site/pages.py).
+# The Python reference is generated from docstrings (docs/site/pages.py).
 add_module_names = False
-toc_object_entries = False  # two thousand entries that each page would carry
+toc_object_entries = False  # each page would otherwise contain two thousand entries
 autodoc_member_order = "bysource"
 autodoc_type_aliases = {"ArrayLike": "ArrayLike"}
 autodoc_typehints = "signature"
@@ -41,7 +41,7 @@ default_role = "code"
 napoleon_numpy_docstring = False
 napoleon_use_ivar = True
 
-# The look: no file from elsewhere, light and dark.
+# The theme has a light and a dark mode, and loads no file from other servers.
 html_theme = "furo"
 html_title = "Plastigran"
 html_static_path = ["static"]

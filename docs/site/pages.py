@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Pages of the site that are made of the code: commands, headers of the laws."""
+"""Generate pages of the site from the code: commands, Python modules and headers of the laws."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ HEADERS = PROJECT / "contact_models" / "plastigran"
 
 
 def write_pages(folder: Path, write: Callable[[Path, str], None]) -> list[Path]:
-    """Write every page that is made of the code; returns their paths.
+    """Write all pages that are generated from the code, and return their paths.
 
     Args:
         folder: Folder of all pages; these go to its folder `reference`.
@@ -46,7 +46,7 @@ def commands() -> str:
 
 
 def _subcommands(above: ArgumentParser, mark: str) -> Iterator[str]:
-    """Yield the lines on the subcommands of a command; `mark` begins their headings."""
+    """Yield the lines on the subcommands of a command. `mark` is the prefix of their headings."""
     for action in above._actions:
         if isinstance(action, _SubParsersAction):
             helps = {choice.dest: choice.help for choice in action._choices_actions}
@@ -58,13 +58,13 @@ def _subcommands(above: ArgumentParser, mark: str) -> Iterator[str]:
 
 
 def rooms() -> list[str]:
-    """The modules and packages right below `plastigran`, but the command line."""
+    """Return the modules and packages directly in `plastigran`, without the command line."""
     found = [module.name for module in iter_modules(plastigran.__path__)]
     return sorted({*found, "laws"} - {"cli"})
 
 
 def room_page(room: str) -> str:
-    """The docstrings of a room and of every module in it."""
+    """Return the page with the docstrings of a package and its modules."""
     name = f"plastigran.{room}"
     module = import_module(name)
     inside = walk_packages(getattr(module, "__path__", []), f"{name}.")
@@ -77,7 +77,7 @@ def room_page(room: str) -> str:
 
 
 def header_page(header: Path) -> str:
-    """A header of the laws: its head comment, constants and options, and the code."""
+    """Return the page of a law's header: its first comment, constants, options and code."""
     place = header.relative_to(HEADERS)
     text = header.read_text()
     lines = [f"# {place}", "", f'`#include "plastigran/{place}"`', ""]
