@@ -15,7 +15,7 @@ namespace plastigran {
 
 namespace {
 
-// Returns whether the models of LAMMPS, or the position of a wall, begin with this word of a line.
+// Returns whether LAMMPS' own models, or the position of a wall, begin at this word of a line.
 bool begins_models(const std::string& word) {
   static const std::vector<std::string> first{
       "damping",       "tangential",          "rolling", "twisting", "heat",   "cutoff",   "region",
@@ -55,7 +55,7 @@ bool is_restitution(const std::vector<std::string>& models) {
          (damping[1] == "tsuji" || damping[1] == "coeff_restitution");
 }
 
-// Reads a tangential law, and puts LAMMPS' model `mindlin` in the place of its words.
+// Reads the tangential law of a line. Replaces its words by those of LAMMPS' model `mindlin`.
 Complaint read_tangential(std::vector<std::string>& models, TangentialLine& line) {
   const auto at = std::find(models.begin(), models.end(), "tangential");
   if (models.end() - at < 2) return {};

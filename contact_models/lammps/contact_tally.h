@@ -20,7 +20,8 @@ class ContactTally {
   void begin(LAMMPS_NS::LAMMPS* lammps);
   void end() { active_ = false; }
 
-  // Adds the energies of a contact. `plastic_work` and `adhesion_loss` are those of this step [J].
+  // Adds the energies of a contact. `plastic_work` and `adhesion_loss` are dissipated in this step
+  // [J].
   void add(const LAMMPS_NS::Granular_NS::GranularModel& contact, const Response& response,
            double plastic_work, double adhesion_loss) {
     if (!active_) return;
@@ -48,7 +49,7 @@ class ContactTally {
 
   // Sums over the contacts of this rank: number, and energies [J].
   double contacts = 0, elastic_energy = 0, surface_energy = 0, spring_energy = 0;
-  bool lacks_loads = false;  // whether a heat model of the deck excludes LoadModel
+  bool lacks_loads = false;  // whether the deck's heat model takes LoadModel's place
 
  protected:
   // Forces of a wall on all particles of this rank.

@@ -94,7 +94,8 @@ class EnergyBalance : public LAMMPS_NS::Fix {
   struct Sums {
     double plastic_work = 0, adhesion_loss = 0, friction = 0, viscous = 0, wall_work = 0;
     double inserted = 0, initial = 0;
-    // Of restart files: whether the balance has begun, and the energy when the file was written.
+    // Values in restart files: whether the balance has begun, and the energy when the file was
+    // written.
     double begun = 0, last_state = 0;
   };
   struct Power {

@@ -40,13 +40,13 @@ class NormalModel : public LAMMPS_NS::Granular_NS::GranSubModNormal {
   void coeffs_to_local() override {}
   bool touch() override;
   double pulloff_distance(double radius, double other_radius) override;
-  // LAMMPS calls calculate_contact_radius() first. It computes the force too, because LAMMPS then
-  // calls calculate_forces() and set_fncrit().
+  // LAMMPS calls this function before calculate_forces() and set_fncrit(). It therefore also
+  // computes the force.
   double calculate_contact_radius() override;
   double calculate_forces() override { return force_; }
 
-  // Of the last contact: the force without its viscous part, the force that limits friction, and
-  // the tangential stiffness without slip.
+  // Values of the last computed contact: the force without its viscous part, the force that limits
+  // friction, and the tangential stiffness without slip.
   double conservative_force() const { return force_ - viscous_force_; }  // [N]
   double limiting_force() const { return force_ + pull_off_force_; }     // [N]
   double tangential_stiffness() const {                                  // [N/m]

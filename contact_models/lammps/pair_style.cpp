@@ -25,7 +25,7 @@ using LAMMPS_NS::Granular_NS::GranularModel;
 
 namespace {
 
-constexpr const char* ids = "plastigran_id";  // value per particle: its ID in the last run
+constexpr const char* ids = "plastigran_id";  // name of the particles' IDs in the last run
 
 std::vector<char*> pointers(std::vector<std::string>& words) {
   std::vector<char*> all;

@@ -15,11 +15,11 @@ class ParticleValues : public LAMMPS_NS::Fix {
  public:
   ParticleValues(LAMMPS_NS::LAMMPS* lammps, int count, char** words);
 
-  // Makes the values `name` if there are none, which a deck reads as `d_name`. `words` are further
-  // words of fix property/atom.
+  // Creates the values `name`, unless they exist. A deck reads them as `d_name`. `words` are
+  // appended to the command fix property/atom.
   static void create(LAMMPS_NS::LAMMPS* lammps, const std::string& name,
                      const std::string& words = "");
-  // The values of the particles of this rank and its ghosts.
+  // Returns the values of the particles of this rank and of its ghosts.
   static double* of(LAMMPS_NS::LAMMPS* lammps, const char* name);
 
   int setmask() override { return 0; }

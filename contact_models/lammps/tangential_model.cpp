@@ -17,8 +17,8 @@ namespace {
 
 Vector3 vector(const double* values) { return {values[0], values[1], values[2]}; }
 
-// Whether a value of a state is a number: the fourth one, and the edge of a ring. The others belong
-// to vectors.
+// Whether a value of a state is a scalar: the fourth value, and the edge of each ring. All other
+// values are components of vectors.
 template <class Law>
 bool is_number(std::size_t k) {
   constexpr bool has_rings = std::is_same_v<Law, PartialSlip<>>;
@@ -77,7 +77,7 @@ TangentialModel::TangentialModel(GranularModel* model, LAMMPS_NS::LAMMPS* lammps
   contact_radius_flag = 1;
   size_history = static_cast<int>(values);
   history_index = placeholder.history_index;
-  // LAMMPS stores a pair from the side of the other particle with vectors of the other sign.
+  // When LAMMPS stores a pair for the other particle, vectors change sign; scalars do not.
   nondefault_history_transfer = 1;
   transfer_history_factor = new double[values];
   for (std::size_t k = 0; k < values; ++k) transfer_history_factor[k] = is_number(k) ? 1 : -1;

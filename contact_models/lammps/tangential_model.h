@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The tangential model of LAMMPS' granular contacts for a tangential law (plastigran/friction/). It
-// takes the place of LAMMPS' model `mindlin`, whose name and coefficients restart files contain.
-// The contact history has the state of the law.
+// Tangential model of LAMMPS' granular contacts for a tangential law (plastigran/friction/). This
+// model replaces LAMMPS' model `mindlin`. It keeps the name and the coefficients of `mindlin`,
+// because restart files contain them. The contact history contains the state of the law.
 #pragma once
 
 #include "lammps/contact_line.h"
@@ -15,7 +15,7 @@ class NormalModel;
 
 class TangentialModel : public LAMMPS_NS::Granular_NS::GranSubModTangential {
  public:
-  // Puts the law of a line in the place of the tangential model that LAMMPS has made.
+  // Replaces the tangential model that LAMMPS has created by the law of a line.
   static void add(LAMMPS_NS::Granular_NS::GranularModel* model, LAMMPS_NS::LAMMPS* lammps,
                   const NormalModel& normal, const TangentialLine& line, ContactTally& tally);
 

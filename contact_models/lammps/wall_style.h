@@ -104,8 +104,8 @@ class WallStyle : private WallLine, public LammpsWall, public ContactTally {
   }
 
  private:
-  // Velocity of a moving region in the last step. Planes have their velocity at the end of the
-  // step.
+  // Returns the velocity of a moving region in the last step. Returns zero for planes, because
+  // LAMMPS gives their velocity at the end of the step.
   std::array<double, 3> region_velocity() const {
     const LAMMPS_NS::Region* const region =
         this->idregion ? this->domain->get_region_by_id(this->idregion) : nullptr;

@@ -71,7 +71,7 @@ PLASTIGRAN_DEVICE inline double adhesive_root(double x, double b) {
 // with adhesion: q = (a_y/a)^(1/2) and b = c R*/(2 a^(3/2)), where a is the contact radius at yield
 // without adhesion.
 PLASTIGRAN_DEVICE inline double root_at_yield(double b) {
-  if (b < 1) {  // Newton's method from the start of the series in b
+  if (b < 1) {  // Newton's method; the series in b starts it
     double q = 1 + b * (0.5 - 0.375 * b);
     for (int k = b < 0.05 ? 2 : 6; k > 0; --k) q = (2 * q * q * q + b) / (3 * q * q - 1);
     return q;

@@ -133,8 +133,8 @@ constexpr std::array<Option<typename Law::Parameters>, 0> options_of{};
 template <class Law>
 constexpr auto options_of<Law, std::void_t<decltype(Law::options)>> = Law::options;
 
-// Return the constants and options of a law for `Parameters`, which derives from the law's own, and
-// then `more`.
+// Return the constants and options of a law, followed by `more`. `Parameters` derives from the
+// law's own parameters.
 template <class Law, class Parameters, class... More>
 constexpr auto inherited_parameters(const More&... more) {
   std::array<Parameter<Parameters>, parameters_of<Law>.size() + sizeof...(More)> all{};
