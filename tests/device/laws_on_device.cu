@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Every normal and tangential law in a kernel: a table that the host built, read on the device.
+// Kernels that call every normal and tangential law. The host builds the tables; the device reads
+// them.
 // `./run lint` compiles this file with clang for the device, without generating code.
 #include "device_stubs.h"
-// The stubs come before the laws.
+// Include the stubs before the laws.
 #include "all_laws.h"
 #include "plastigran/friction/incremental.h"
 #include "plastigran/friction/partial_slip.h"

@@ -79,8 +79,8 @@ TEST_CASE("the laws whose fits can lose plastic work are guarded") {
   REQUIRE(guarded<Brake2012>());
 }
 
-// The strengths go up to a third of the modulus, the most that a solid can have. Their steps are
-// small where the decrease of plastic work of a law vanishes. The tolerance is 1e-12 of the loading
+// The strengths reach a third of the modulus, the upper limit of solids. Their steps are small
+// where the decrease of plastic work of a law vanishes. The tolerance is 1e-12 of the loading
 // work: plastic work is a difference of two works, which tables keep to 3e-14.
 TEST_CASE_TEMPLATE("the energy guard lets no plastic work fall", Law, ALL_LAWS) {
   if constexpr (std::is_same_v<typename Law::State, LargestOverlap::State>) {
@@ -88,7 +88,7 @@ TEST_CASE_TEMPLATE("the energy guard lets no plastic work fall", Law, ALL_LAWS) 
     const std::vector<double> path = overlaps();
     for (double decade = -6; guarded<Law>() && decade < -0.5; decade += decade < -3 ? 1 : 0.05)
       for (const double poissons_ratio : {0.0, 0.3, 0.5}) {
-        const double strength = std::pow(10, decade);  // divided by the modulus
+        const double strength = std::pow(10, decade);  // yield strength/modulus
         const Body body{7e10, poissons_ratio, 7e10 * strength};
         const MaterialPair pair = combine(body, {1e30, 0.3, 1e30});
         for (const typename Law::Parameters& constants : cases<Law>(pair)) {

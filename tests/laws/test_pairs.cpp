@@ -113,8 +113,8 @@ TEST_CASE("a constant of bodies is the larger of two, and refused where neither 
   CHECK(complaint_of<LimStronge>(materials).find("cylinder_length is -1; it must be between") == 0);
 }
 
-// Kogut & Etsion's law is valid up to 110 overlaps at yield. A contact that exceeds them counts
-// once.
+// Kogut & Etsion's law is valid up to 110 times the overlap at yield. A contact that exceeds this
+// limit counts once.
 TEST_CASE("a contact is counted where it leaves the range for the first time") {
   TypePairs<KogutEtsion> pairs = table<KogutEtsion>(three_types());
   const TypePair<KogutEtsion>& pair = pairs(1, 1);
