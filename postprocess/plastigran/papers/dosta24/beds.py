@@ -3,11 +3,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
+import pandas as pd
+
+from plastigran.bulk.checks import ENERGIES
 from plastigran.bulk.continued import finish_bulk
 from plastigran.bulk.outcome import BulkRun
+from plastigran.calibration.softening import soften
+from plastigran.materials import read_material
 
 #: Settings of the contacts by label. LIGGGHTS' own hertz has the prescribed restitution; the law
 #: thornton has a yield strength instead.
@@ -15,6 +20,11 @@ CONTACTS = {
     "hertz": {"law": "hertz", "ledger": "off"},
     "thornton": {"law": "thornton"},
 }
+#: Softening factor of the grains in long cases.
+SOFTENING = 1 / 500
+_soft = soften(read_material("grain_m1"), SOFTENING)
+#: Settings of the grains M1 after softening. With `thornton`, their restitution is as before.
+SOFT_GRAINS = {"youngs_modulus": _soft.youngs_modulus, "yield_strength": _soft.yield_strength}
 
 
 def run_beds(
@@ -48,3 +58,10 @@ def run_beds(
         ).raise_if_failed()
         for seed in range(1, beds + 1)
     ]
+
+
+def energy_shares(runs: Sequence[BulkRun]) -> dict[str, float]:
+    """Return the mean energy at the end of runs [J], and its terms in per cent of it."""
+    last = pd.DataFrame([run.series.iloc[-1] for run in runs])[ENERGIES].mean()
+    shares = {f"{term}, %": 100 * last[term] / last.sum() for term in ENERGIES}
+    return {"energy (J)": last.sum(), **shares}

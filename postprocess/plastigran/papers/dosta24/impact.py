@@ -11,9 +11,8 @@ import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from plastigran.bulk.checks import ENERGIES
 from plastigran.bulk.outcome import BulkRun
-from plastigran.papers.dosta24.beds import CONTACTS, run_beds
+from plastigran.papers.dosta24.beds import CONTACTS, energy_shares, run_beds
 from plastigran.papers.dosta24.published import eight_codes, reruns
 from plastigran.plot.style import COLOURS, styled, subplots
 
@@ -135,13 +134,11 @@ def _published(table: pd.DataFrame, time: float | None) -> float:
 
 def energies(data: Runs) -> pd.DataFrame:
     """Return the energy of ball and bed at the end [J], and its terms in per cent of it."""
-    rows = []
-    for (count, label), runs in data.items():
-        if runs[0].deck.ledger == "on":
-            last = pd.DataFrame([run.series.iloc[-1] for run in runs])[ENERGIES].mean()
-            shares = {f"{term}, %": 100 * last[term] / last.sum() for term in ENERGIES}
-            rows.append({"grains": count, "law": label, "energy (J)": last.sum(), **shares})
-    return pd.DataFrame(rows)
+    return pd.DataFrame(
+        {"grains": count, "law": label, **energy_shares(runs)}
+        for (count, label), runs in data.items()
+        if runs[0].deck.ledger == "on"
+    )
 
 
 def impact_figure(data: Runs) -> Figure:

@@ -54,16 +54,20 @@ def reruns(grains: int) -> dict[str, pd.DataFrame]:
     }
 
 
-def silo() -> dict[str, pd.DataFrame]:
-    """Return the number of grains above the large orifice, material M1, by code.
+def silo(orifice: str) -> dict[str, pd.DataFrame]:
+    """Return the number of grains above an orifice, material M1, by code.
+
+    Args:
+        orifice: large or small.
 
     Returns:
-        For LIGGGHTS and MUSEN, columns time [s] and held.
+        For MUSEN and, with the large orifice, LIGGGHTS: columns time [s] and held.
     """
     table = _read("silo")
     return {
         code: pd.DataFrame({"time": table["time_s"], "held": table[column]}).dropna()
-        for code, column in (("LIGGGHTS", "large_M1_liggghts"), ("MUSEN", "large_M1_musen"))
+        for code in ("LIGGGHTS", "MUSEN")
+        if (column := f"{orifice}_M1_{code.lower()}") in table
     }
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Case silo: grains flow out of a silo with the large orifice."""
+"""Case silo: grains flow out of a silo through a large or a small orifice."""
 
 from __future__ import annotations
 
@@ -9,83 +9,104 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 from matplotlib.figure import Figure
-from scipy.stats import linregress
 
 from plastigran.bulk.outcome import BulkRun
-from plastigran.papers.dosta24.beds import run_beds
+from plastigran.papers.dosta24.beds import SOFT_GRAINS, energy_shares, run_beds
 from plastigran.papers.dosta24.published import silo
 from plastigran.plot.style import COLOURS, styled, subplots
 
-#: Mean discharge rate of the eight codes [grains/s].
-RATE = 23200.0
-#: Grains five hundred times softer than in the benchmark, at a longer time step. By Beverloo's law,
-#: the rate does not depend on stiffness. The run ends when the rate is measured.
-SOFT = {"youngs_modulus": 2e6, "timestep": 3e-5, "duration": 0.7, "settling": 0.2}
-SOFT |= {"rows": 70, "checkpoints": 7}
+#: Mean discharge rates of the eight codes by orifice [grains/s].
+RATES = {"large": 23200.0, "small": 7700.0}
+#: Soft grains, at a time step 20 times longer than in the benchmark. By Beverloo's law, the rate
+#: does not depend on stiffness. The run ends when the rate is measured.
+SOFT = {"timestep": 3e-5, "duration": 0.5, "settling": 0.2, "rows": 50, "checkpoints": 5}
+#: Contacts by orifice.
+LAWS = {"large": ("hertz", "thornton"), "small": ("hertz",)}
 #: Settings of a quick look.
-COARSE = {"grain_count": 1500, "youngs_modulus": 1e6, "timestep": 4e-5, "duration": 0.25}
-COARSE |= {"settling": 0.05, "rows": 50, "checkpoints": 2, "volume_fraction": 0.4}
+COARSE = {"grain_count": 3000, "timestep": 4e-5, "duration": 0.1, "settling": 0.04}
+COARSE |= {"rows": 50, "checkpoints": 2, "volume_fraction": 0.54}
+
+#: Runs with several random fillings, by orifice and label of `CONTACTS`.
+Runs = dict[tuple[str, str], list[BulkRun]]
 
 
 def compute(
     progress: bool,
     coarse: bool,
     folder: Path,
-    law: Sequence[str] = ("hertz",),
+    law: Sequence[str] | None = None,
     beds: int = 1,
     ranks: int = 1,
-) -> dict[str, list[BulkRun]]:
-    """Run the silo, or continue its runs in `folder`.
+) -> Runs:
+    """Run the silo with both orifices, or continue its runs in `folder`.
 
     Args:
         progress: Whether to show a progress bar.
         coarse: Whether to run few grains for a short time.
         folder: Folder of the runs.
-        law: Labels of `CONTACTS`, or names of laws.
+        law: Labels of `CONTACTS`, or names of laws; by default those of `LAWS`.
         beds: Number of random fillings.
         ranks: Number of MPI ranks.
-
-    Returns:
-        Runs by label.
     """
-    settings, path = (COARSE, folder / "silo_coarse") if coarse else (SOFT, folder / "silo")
-    return {label: run_beds("silo", settings, label, beds, path, ranks, progress) for label in law}
+    runs = {}
+    for orifice, labels in LAWS.items():
+        settings = {"orifice": orifice} | SOFT_GRAINS | (COARSE if coarse else SOFT)
+        path = folder / f"silo_{orifice}"
+        for label in law or labels:
+            runs[orifice, label] = run_beds("silo", settings, label, beds, path, ranks, progress)
+    return runs
 
 
-def rates(data: dict[str, list[BulkRun]]) -> pd.DataFrame:
-    """Return the discharge rates in thousand grains per second.
+def rates(data: Runs) -> pd.DataFrame:
+    """Return the discharge rates in thousand grains per second: one row per orifice.
 
     The rates of other codes from the published filling are measured in the same time as ours.
     """
-    rows = []
-    for label, runs in data.items():
+    table: dict[str, dict[str, object]] = {}
+    for (orifice, label), runs in data.items():
         times = runs[0].deck.settling, runs[0].series["time"].iloc[-1]
-        ours = np.mean([_rate(run.series, *times) for run in runs])
-        row = {"law": label, "our runs": ours, "eight codes": RATE / 1e3}
-        rows.append(row | {code: _rate(table, *times) for code, table in silo().items()})
-    return pd.DataFrame(rows)
+        row = table.setdefault(orifice, {"orifice": orifice})
+        row[label] = np.mean([_rate(run.series, *times) for run in runs])
+        row["eight codes"] = RATES[orifice] / 1e3
+        for code, series in silo(orifice).items():
+            row[f"{code}, published filling"] = _rate(series, *times)
+    return pd.DataFrame(table.values())
 
 
 def _rate(series: pd.DataFrame, start: float, end: float) -> float:
     """Return the discharge rate between two times in thousand grains per second."""
-    part = series[series["time"].between(start, end)]
-    return -linregress(part["time"], part["held"]).slope / 1e3
+    first, last = np.interp((start, end), series["time"], series["held"])
+    return (first - last) / (end - start) / 1e3
 
 
-def silo_figure(data: dict[str, list[BulkRun]]) -> Figure:
-    """Draw the number of grains in the silo over time among other codes."""
+def energies(data: Runs) -> pd.DataFrame:
+    """Return the forms of the energy at the end of the runs with an energy balance."""
+    return pd.DataFrame(
+        {"orifice": orifice, "law": label, **energy_shares(runs)}
+        for (orifice, label), runs in data.items()
+        if runs[0].deck.ledger == "on"
+    )
+
+
+def silo_figure(data: Runs) -> Figure:
+    """Draw the numbers of grains in the silo over time beside other codes."""
     with styled():
-        figure, axes = subplots(figsize=(5.4, 3.8))
-        for (code, table), style in zip(silo().items(), ("--", ":"), strict=True):
-            axes.plot(table["time"], table["held"] / 1e3, style, color="0.4", label=code)
-        for (label, runs), colour in zip(data.items(), COLOURS, strict=False):
-            for run in runs:
-                name = label if run is runs[0] else None
-                axes.plot(run.series["time"], run.series["held"] / 1e3, color=colour, label=name)
-        axes.set(xlabel="time (s)", ylabel="thousand grains in the silo")
-        axes.legend()
+        figure, axes = subplots(1, 2, figsize=(9.2, 3.8))
+        end = max(run.series["time"].iloc[-1] for runs in data.values() for run in runs)
+        for axis, orifice in zip(axes, RATES, strict=True):
+            for (code, series), style in zip(silo(orifice).items(), ("--", ":"), strict=False):
+                part = series[series["time"] <= end]
+                axis.plot(part["time"], part["held"] / 1e3, style, color="0.4", label=code)
+            labels = [label for other, label in data if other == orifice]
+            for label, colour in zip(labels, COLOURS, strict=False):
+                for run in data[orifice, label]:
+                    name = label if run is data[orifice, label][0] else None
+                    axis.plot(run.series["time"], run.series["held"] / 1e3, color=colour, label=name)
+            axis.set(xlabel="time (s)", ylabel="thousand grains in the silo")
+            axis.set_title(f"{orifice} orifice")
+            axis.legend()
     return figure
 
 
-TABLES = {"silo_rates": rates}
+TABLES = {"silo_rates": rates, "silo_energies": energies}
 FIGURES = {"silo": silo_figure}
