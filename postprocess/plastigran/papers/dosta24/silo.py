@@ -62,15 +62,19 @@ def rates(data: Runs) -> pd.DataFrame:
 
     The rates of other codes from the published filling are measured in the same time as ours.
     """
-    table: dict[str, dict[str, object]] = {}
-    for (orifice, label), runs in data.items():
-        times = runs[0].deck.settling, runs[0].series["time"].iloc[-1]
-        row = table.setdefault(orifice, {"orifice": orifice})
-        row[label] = np.mean([_rate(run.series, *times) for run in runs])
-        row["eight codes"] = RATES[orifice] / 1e3
-        for code, series in silo(orifice).items():
-            row[f"{code}, published filling"] = _rate(series, *times)
-    return pd.DataFrame(table.values())
+    rows = []
+    for orifice in dict.fromkeys(orifice for orifice, _ in data):
+        ours = {label: runs for (other, label), runs in data.items() if other == orifice}
+        first = next(iter(ours.values()))[0]
+        times = first.deck.settling, first.series["time"].iloc[-1]
+        row = {
+            label: np.mean([_rate(r.series, *times) for r in runs]) for label, runs in ours.items()
+        }
+        codes = silo(orifice).items()
+        row |= {"eight codes": RATES[orifice] / 1e3}
+        row |= {f"{code}, published filling": _rate(series, *times) for code, series in codes}
+        rows.append({"orifice": orifice, **row})
+    return pd.DataFrame(rows)
 
 
 def _rate(series: pd.DataFrame, start: float, end: float) -> float:
@@ -101,7 +105,9 @@ def silo_figure(data: Runs) -> Figure:
             for label, colour in zip(labels, COLOURS, strict=False):
                 for run in data[orifice, label]:
                     name = label if run is data[orifice, label][0] else None
-                    axis.plot(run.series["time"], run.series["held"] / 1e3, color=colour, label=name)
+                    axis.plot(
+                        run.series["time"], run.series["held"] / 1e3, color=colour, label=name
+                    )
             axis.set(xlabel="time (s)", ylabel="thousand grains in the silo")
             axis.set_title(f"{orifice} orifice")
             axis.legend()
