@@ -22,6 +22,8 @@ RATES = {"large": 23200.0, "small": 7700.0}
 SOFT = {"timestep": 3e-5, "duration": 0.5, "settling": 0.2, "rows": 50, "checkpoints": 5}
 #: Contacts by orifice.
 LAWS = {"large": ("hertz", "thornton"), "small": ("hertz",)}
+#: Line styles of other codes.
+STYLES = {"LIGGGHTS": "--", "MUSEN": ":"}
 #: Settings of a quick look.
 COARSE = {"grain_count": 3000, "timestep": 4e-5, "duration": 0.1, "settling": 0.04}
 COARSE |= {"rows": 50, "checkpoints": 2, "volume_fraction": 0.54}
@@ -98,9 +100,10 @@ def silo_figure(data: Runs) -> Figure:
         figure, axes = subplots(1, 2, figsize=(9.2, 3.8))
         end = max(run.series["time"].iloc[-1] for runs in data.values() for run in runs)
         for axis, orifice in zip(axes, RATES, strict=True):
-            for (code, series), style in zip(silo(orifice).items(), ("--", ":"), strict=False):
+            for code, series in silo(orifice).items():
                 part = series[series["time"] <= end]
-                axis.plot(part["time"], part["held"] / 1e3, style, color="0.4", label=code)
+                held = part["held"] / 1e3
+                axis.plot(part["time"], held, STYLES[code], color="0.4", label=code)
             labels = [label for other, label in data if other == orifice]
             for label, colour in zip(labels, COLOURS, strict=False):
                 for run in data[orifice, label]:
