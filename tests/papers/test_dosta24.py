@@ -84,6 +84,9 @@ def test_small_cases(coarse, coarse_table):
     # By Beverloo's law, the rate grows by more than the ratio of the orifice areas.
     rates = coarse_table("dosta24", "silo_rates").set_index("orifice")["hertz"]
     assert rates["large"] > (3 / 2) ** 2 * rates["small"] > 0
+    for case in ("silo", "drum"):
+        energies = coarse_table("dosta24", f"{case}_energies").iloc[0]
+        assert energies["plastic, %"] > 1 and energies["friction, %"] > 1
     # The rotation carries the 250 small grains from zone 2 to the rising side.
     series = open_run(coarse("dosta24") / "drum_coarse_hertz_1" / "part_1").series
     assert 50 < series["small_2"].iloc[-1] < series["small_2"].iloc[0]
