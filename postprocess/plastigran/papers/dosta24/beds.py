@@ -20,11 +20,15 @@ CONTACTS = {
     "hertz": {"law": "hertz", "ledger": "off"},
     "thornton": {"law": "thornton"},
 }
-#: Softening factor of the grains in long cases.
-SOFTENING = 1 / 500
-_soft = soften(read_material("grain_m1"), SOFTENING)
-#: Settings of the grains M1 after softening. With `thornton`, their restitution is as before.
-SOFT_GRAINS = {"youngs_modulus": _soft.youngs_modulus, "yield_strength": _soft.yield_strength}
+
+
+def softened_grains(factor: float) -> dict[str, float]:
+    """Return the settings of the grains M1 with `factor` times their Young's modulus.
+
+    With a yield strength, their restitution is as before.
+    """
+    grains = soften(read_material("grain_m1"), factor)
+    return {"youngs_modulus": grains.youngs_modulus, "yield_strength": grains.yield_strength}
 
 
 def run_beds(

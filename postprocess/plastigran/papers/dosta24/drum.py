@@ -12,12 +12,13 @@ from matplotlib.figure import Figure
 
 from plastigran.bulk.outcome import BulkRun
 from plastigran.calibration.softening import POWERS
-from plastigran.papers.dosta24.beds import SOFT_GRAINS, SOFTENING, energy_shares, run_beds
+from plastigran.papers.dosta24.beds import energy_shares, run_beds, softened_grains
 from plastigran.papers.dosta24.published import drum
 from plastigran.plot.style import COLOURS, styled, subplots
 
-#: Both sizes of grains after softening.
-GRAINS = SOFT_GRAINS | {
+#: Softening factor of both sizes of grains.
+SOFTENING = 1 / 500
+GRAINS = softened_grains(SOFTENING) | {
     "large_youngs_modulus": 5e8 * SOFTENING,
     "large_yield_strength": 3.21e6 * SOFTENING ** POWERS["yield_strength"],
 }
