@@ -18,7 +18,7 @@ from plastigran.plot.style import COLOURS, styled, subplots
 #: Mean discharge rates of the eight codes by orifice [grains/s].
 RATES = {"large": 23200.0, "small": 7700.0}
 #: Softened grains, at a time step nine times longer than in the benchmark. With a factor of 1/500,
-#: the rate would be 6 % higher. The run ends when the rate is measured.
+#: the rate would be 5 % higher. The run ends when the rate is measured.
 SOFT = softened_grains(0.01) | {"timestep": 1.35e-5, "duration": 0.25, "settling": 0.1}
 SOFT |= {"rows": 25, "checkpoints": 5}
 #: Contacts by orifice.
