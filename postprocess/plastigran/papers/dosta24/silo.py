@@ -102,9 +102,9 @@ def silo_figure(data: Runs) -> Figure:
         end = max(run.series["time"].iloc[-1] for runs in data.values() for run in runs)
         for axis, orifice in zip(axes, RATES, strict=True):
             for code, series in silo(orifice).items():
-                part = series[series["time"] <= end]
-                held = part["held"] / 1e3
-                axis.plot(part["time"], held, STYLES[code], color="0.4", label=code)
+                times = np.append(series["time"][series["time"] < end], end)
+                held = np.interp(times, series["time"], series["held"]) / 1e3
+                axis.plot(times, held, STYLES[code], color="0.4", label=code)
             labels = [label for other, label in data if other == orifice]
             for label, colour in zip(labels, COLOURS, strict=False):
                 for run in data[orifice, label]:
