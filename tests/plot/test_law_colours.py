@@ -12,7 +12,7 @@ from plastigran.usable_laws import laws_for
 
 @pytest.mark.parametrize("shape", sorted({law.shape for law in laws.LAWS.values()}))
 def test_laws_of_a_shape_have_distinct_colours_and_markers(shape):
-    """A law of another package also differs."""
+    """A law of another package also has a color and marker that no other law has."""
     names = [*laws_for(shape), "hooke"]
     assert len({law_colour(name) for name in names}) == len(names)
     assert len({MARKERS[law_number(name)] for name in names}) == len(names)

@@ -129,8 +129,8 @@ class NormalModelSetup : public NormalModelBase {
     if (!unsuitable.empty()) fail(unsuitable);
   }
 
-  // Adds the fixes that keep histories. Restores the settings of the line if LIGGGHTS made the
-  // model from a restart file.
+  // Adds the fixes that keep histories. If LIGGGHTS made the model from a restart file, restores
+  // the settings of the `pair_style` line from this file.
   HistoryKeeper& keep_histories() {
     HistoryKeeper& keeper = plastigran::keep_histories(lmp, owner_, caller(), restarted_lines_,
                                                        {history_offset_, Law::state_names.size()});
@@ -242,7 +242,7 @@ class NormalModelSetup : public NormalModelBase {
 
   plastigran::ContactOwner owner_;
   const std::string restarted_lines_;  // HistoryKeeper::restarted_lines() at construction
-  bool reported_ = false;              // whether an earlier run has printed the report of this line
+  bool reported_ = false;  // whether an earlier run has printed the constants of this model
 };
 
 }  // namespace ContactModels

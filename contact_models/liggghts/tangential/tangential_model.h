@@ -68,7 +68,8 @@ struct TangentialHistory<PartialSlip<4>> {
     add_rings(setup, 1, default_rings);
     return offset;
   }
-  // Adds the values of the rings `first` to `last`, and returns the offset of the first value.
+  // Registers the history values of the rings `first` to `last` of the contact area, and returns
+  // the offset of the first value.
   static int add_rings(LIGGGHTS::IContactHistorySetup& setup, int first, int last) {
     int offset = -1;
     for (int k = first; k <= last; ++k) {

@@ -120,8 +120,8 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         "--transits",
         type=positive,
         default=TRANSITS,
-        help="duration of the flight divided by the time in which a compression wave crosses "
-        f"the sphere, default {TRANSITS:g}",
+        help="duration of the computation after the rebound, divided by the time in which a "
+        f"compression wave crosses the sphere, default {TRANSITS:g}",
     )
     press_command.set_defaults(compute=_press)
     throw_command.set_defaults(compute=_throw)
