@@ -94,7 +94,7 @@ def test_deleted_grains_leave_the_others(bed, tmp_path):
     ["set atom 2 type 2", "set atom 2 diameter 0.0059", "displace_atoms right move 5e-5 0 0"],
 )
 def test_changes_of_contacts_are_counted(change, wall, ranks, tmp_path):
-    """Other constants, sizes or positions of bodies change the energy of their contact.
+    """A change of constants, sizes or positions of bodies changes the energy of their contact.
 
     The balance error of 20 steps is about 1e-4 of the initial energy; the changes exceed 5 % of it.
     """

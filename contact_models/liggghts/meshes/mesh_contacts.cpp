@@ -25,7 +25,8 @@ const double same_depth = 1e-11;
 // Tolerance of a cosine, because corners in mesh files have about seven digits.
 const double rounding = 1e-6;
 
-// Cosine between contact directions on opposite sides of a particle.
+// Two contacts are on opposite sides of a particle if the cosine of the angle between their
+// directions is below this value.
 const double opposite = 0.5;
 
 // Rotates `vector` by the smallest rotation from the direction `from` to the direction `to`, unless

@@ -20,9 +20,9 @@ class ReportingOwners {
   void add(const void* owner) { owners_.insert(owner); }
   bool has(const void* owner) const { return owners_.count(owner); }
 
-  // Returns the IDs of granular walls that do not report, separated by commas; empty if they are
-  // the same as in the last call. Clears the list, because all owners register again before each
-  // run.
+  // Returns the IDs of granular walls that do not report contacts to this observer, separated by
+  // commas; empty if they are the same as in the last call. Clears the list of reporting owners,
+  // because all register again before each run.
   std::string new_missing_walls(const LAMMPS_NS::Modify* modify);
 
  private:

@@ -34,8 +34,9 @@ struct HistoryStyle {
 
 // Pair style or wall whose histories a fix stores.
 struct Owner {
-  std::string name;    // "pair_style" or "fix ID"; empty: the fix stores something else
-  std::string models;  // models as in ContactLine, without options; empty: a model of LIGGGHTS
+  std::string name;  // "pair_style" or "fix ID"; empty: the fix stores something else
+  // Names of the contact models as in ContactLine, without options; empty for a law of LIGGGHTS.
+  std::string models;
 };
 
 std::string models_of(const ContactOwner& owner) {

@@ -48,7 +48,7 @@ class PartialSlip {
   // The edge of a ring is stored as p = F^(1/3), where F is the normal force at the edge. Then
   // h = c p^2. The vector D is stored in the frame of the contact.
   struct Ring {
-    double edge;  // p at the outer edge; 0 where there is no ring
+    double edge;  // p = F^(1/3) at the outer edge; 0 if there is no ring
     double x, y;  // D
   };
   // The frame of the contact has the axes x, normal cross x, and normal. It turns with the contact

@@ -26,8 +26,8 @@ def add_evidence_arguments(command: argparse.ArgumentParser, results: str, pages
         "--docs",
         type=Path,
         metavar="FOLDER",
-        help="also write tables and pictures into the pages of this folder; in the project, it "
-        f"is {pages}",
+        help="also write the tables and pictures into the pages in this folder; the pages of the "
+        f"project are in {pages}",
     )
     command.add_argument(
         "--coarse",
