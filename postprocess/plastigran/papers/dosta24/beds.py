@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 
 import pandas as pd
@@ -64,8 +64,16 @@ def run_beds(
     ]
 
 
-def energy_shares(runs: Sequence[BulkRun]) -> dict[str, float]:
-    """Return the mean energy at the end of runs [J], and its terms in per cent of it."""
-    last = pd.DataFrame([run.series.iloc[-1] for run in runs])[ENERGIES].mean()
-    shares = {f"{term}, %": 100 * last[term] / last.sum() for term in ENERGIES}
-    return {"energy (J)": last.sum(), **shares}
+def energy_table(cases: Iterable[tuple[dict[str, object], Sequence[BulkRun]]]) -> pd.DataFrame:
+    """Return the energy at the end of runs [J], and its terms in per cent of it.
+
+    Args:
+        cases: Names of a case by column, and its runs. Runs without energy balance have no row.
+    """
+    rows = []
+    for names, runs in cases:
+        if runs[0].deck.ledger == "on":
+            last = pd.DataFrame([run.series.iloc[-1] for run in runs])[ENERGIES].mean()
+            shares = {f"{term}, %": 100 * last[term] / last.sum() for term in ENERGIES}
+            rows.append(names | {"energy (J)": last.sum(), **shares})
+    return pd.DataFrame(rows)

@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 
 from plastigran.bulk.outcome import BulkRun
 from plastigran.calibration.softening import POWERS
-from plastigran.papers.dosta24.beds import energy_shares, run_beds, softened_grains
+from plastigran.papers.dosta24.beds import energy_table, run_beds, softened_grains
 from plastigran.papers.dosta24.published import drum
 from plastigran.plot.style import COLOURS, styled, subplots
 
@@ -111,11 +111,7 @@ def _at(table: pd.DataFrame, column: str, time: float | np.ndarray) -> np.ndarra
 
 def energies(data: dict[str, list[BulkRun]]) -> pd.DataFrame:
     """Return the forms of the energy at the end of the runs with an energy balance."""
-    return pd.DataFrame(
-        {"law": label, **energy_shares(runs)}
-        for label, runs in data.items()
-        if runs[0].deck.ledger == "on"
-    )
+    return energy_table(({"law": label}, runs) for label, runs in data.items())
 
 
 def zones_figure(data: dict[str, list[BulkRun]]) -> Figure:

@@ -12,7 +12,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from plastigran.bulk.outcome import BulkRun
-from plastigran.papers.dosta24.beds import CONTACTS, energy_shares, run_beds
+from plastigran.papers.dosta24.beds import CONTACTS, energy_table, run_beds
 from plastigran.papers.dosta24.published import eight_codes, reruns
 from plastigran.plot.style import COLOURS, styled, subplots
 
@@ -134,10 +134,8 @@ def _published(table: pd.DataFrame, time: float | None) -> float:
 
 def energies(data: Runs) -> pd.DataFrame:
     """Return the energy of ball and bed at the end [J], and its terms in per cent of it."""
-    return pd.DataFrame(
-        {"grains": count, "law": label, **energy_shares(runs)}
-        for (count, label), runs in data.items()
-        if runs[0].deck.ledger == "on"
+    return energy_table(
+        ({"grains": count, "law": label}, runs) for (count, label), runs in data.items()
     )
 
 

@@ -11,7 +11,7 @@ import pandas as pd
 from matplotlib.figure import Figure
 
 from plastigran.bulk.outcome import BulkRun
-from plastigran.papers.dosta24.beds import energy_shares, run_beds, softened_grains
+from plastigran.papers.dosta24.beds import energy_table, run_beds, softened_grains
 from plastigran.papers.dosta24.published import silo
 from plastigran.plot.style import COLOURS, styled, subplots
 
@@ -88,10 +88,8 @@ def _rate(series: pd.DataFrame, start: float, end: float) -> float:
 
 def energies(data: Runs) -> pd.DataFrame:
     """Return the forms of the energy at the end of the runs with an energy balance."""
-    return pd.DataFrame(
-        {"orifice": orifice, "law": label, **energy_shares(runs)}
-        for (orifice, label), runs in data.items()
-        if runs[0].deck.ledger == "on"
+    return energy_table(
+        ({"orifice": orifice, "law": label}, runs) for (orifice, label), runs in data.items()
     )
 
 
