@@ -9,9 +9,9 @@
 # LAMMPS' lists, and at the end, where it adds the sources to the library `lammps`.
 
 if(NOT TARGET lammps)
-  foreach(kind pair fix compute)
-    string(TOUPPER ${kind} list)
-    set_property(GLOBAL APPEND PROPERTY ${list} ${CMAKE_CURRENT_LIST_DIR}/styles/${kind}_plastigran.h)
+  foreach(style pair fix compute)
+    string(TOUPPER ${style} list)
+    set_property(GLOBAL APPEND PROPERTY ${list} ${CMAKE_CURRENT_LIST_DIR}/styles/${style}_plastigran.h)
   endforeach()
   set(PLASTIGRAN_IN_TREE ${CMAKE_CURRENT_LIST_FILE})
   cmake_language(DEFER CALL include ${PLASTIGRAN_IN_TREE})

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import json
 import shutil
+import subprocess
 
 import numpy as np
 import pytest
@@ -16,6 +17,7 @@ from plastigran.bulk.run import run_bulk
 from plastigran.bulk.series import read_series
 from plastigran.cli import main
 from plastigran.engine.checkpoints import PATTERN, step_of
+from plastigran.engine.lammps import lammps_path
 from plastigran.engine.versions import HOSTS
 from plastigran.plot.frame_files import DamagedFrame, find_frames, read_frame_file
 
@@ -49,7 +51,9 @@ def test_a_deck_passes_its_checks(name, lammps_run):
     assert {name.partition("-")[0], "ledger"} <= run.figures.keys()
     record = json.loads((run.folder / "run.json").read_text())
     assert record["settings"]["host"] == record["versions"]["host"] == "lammps"
-    assert record["versions"]["engine"].startswith("LAMMPS (")
+    release = record["versions"]["engine"].removeprefix("LAMMPS (").removesuffix(")")
+    usage = subprocess.run([lammps_path(), "-h"], capture_output=True, text=True, check=True)
+    assert usage.stdout.split("Simulator - ")[1].startswith(f"{release}\n")
     assert (run.folder / "log.lammps").exists()
 
 
@@ -102,7 +106,9 @@ def test_a_run_continues(name, lammps_run, tmp_path):
 
 
 def test_frames_contain_the_grains_as_in_liggghts(bulk_run, tmp_path):
-    """The hosts write at least six digits. A truncated frame of LAMMPS is left out."""
+    """The hosts write at least six digits. A truncated frame of LAMMPS is
+    rejected.
+    """
     brief = deck_class("cooling_gas").briefs[""]
     settings = {**brief.settings, **brief.start, "frames": 2}
     runs = {host: bulk_run("cooling_gas", settings | {"host": host}) for host in HOSTS}
@@ -118,10 +124,11 @@ def test_frames_contain_the_grains_as_in_liggghts(bulk_run, tmp_path):
         assert_allclose(ours, theirs, rtol=0, atol=1e-5 * abs(theirs).max())
     work = runs["lammps"].series["plastic"].iloc[-1]
     assert_allclose(grains["lammps"][-1].sum(), work, rtol=1e-6)
-    cut = tmp_path / "grains_1.dump"
-    cut.write_bytes(frames["lammps"][-1].grains.read_bytes()[:-200])
-    with pytest.raises(DamagedFrame):
-        read_frame_file(cut)
+    whole, cut = frames["lammps"][-1].grains.read_bytes(), tmp_path / "grains_1.dump"
+    for length in (0, 100, len(whole) - 200, len(whole) - 3, len(whole) - 1):
+        cut.write_bytes(whole[:length])
+        with pytest.raises(DamagedFrame):
+            read_frame_file(cut)
 
 
 def test_ranks_agree_on_the_first_impacts(bulk_run, tmp_path):

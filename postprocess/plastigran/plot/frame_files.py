@@ -153,14 +153,12 @@ def _read_dump(path: Path) -> pyvista.DataSet:
         DamagedFrame: The file is incomplete.
     """
     pyvista = load_pyvista()
-    lines = path.read_text().splitlines()
-    if len(lines) < 9 or len(lines) != 9 + int(lines[3]):
+    text = path.read_text()
+    lines = text.splitlines()
+    if not text.endswith("\n") or len(lines) < 9 or len(lines) != 9 + int(lines[3]):
         raise DamagedFrame(path)
     names = lines[8].split()[2:]
-    try:
-        rows = np.array([line.split() for line in lines[9:]], float).reshape(-1, len(names))
-    except ValueError:  # the last line is incomplete
-        raise DamagedFrame(path) from None
+    rows = np.array([line.split() for line in lines[9:]], float).reshape(-1, len(names))
     table = pd.DataFrame(rows, columns=names)
     if table.empty:
         return pyvista.PolyData()
