@@ -19,10 +19,11 @@ struct ContactLine {
   std::string models;                  // names of the law, its options and the other contact models
   std::string settings;                // all settings of the line: NAME WORD NAME WORD ...
   std::vector<std::string> histories;  // IDs of LIGGGHTS' fixes that store the contact histories
-  std::string constants;  // constants of the law, a text line per pair of types; empty: no history
-  bool is_new = false;    // whether the deck gave this line after the last run
-  std::string report;     // constants to print in the log; empty: printed before
-  std::uint64_t position = 0;  // hash from primitive_wall_position(); 0 for other lines
+  // Constants of the law, one text line per pair of atom types; empty if contacts have no history.
+  std::string constants;
+  bool is_new = false;         // whether the deck gave this line after the last run
+  std::string report;          // constants to print in the log; empty if they were printed before
+  std::uint64_t position = 0;  // hash of a primitive wall's geometry; 0 for other lines
 };
 
 // Contact lines by owner: "pair_style" or "fix ID".
@@ -30,8 +31,9 @@ typedef std::map<std::string, ContactLine> ContactLines;
 
 constexpr char pair_owner[] = "pair_style";
 
-// Converts contact lines to the text in a restart file, and back. If no contact has a history, the
-// text contains only the settings of the pair style.
+// Converts contact lines to the text in a restart file, and back. The text omits walls without
+// contact histories. For a pair style without histories, the text contains the settings, but no
+// models.
 std::string restart_text(const ContactLines& lines);
 ContactLines read_restart_text(const std::string& text);
 

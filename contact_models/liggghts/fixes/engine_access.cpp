@@ -107,8 +107,9 @@ std::string variable_name(LAMMPS_NS::FixPropertyGlobal* property) {
 }
 
 int particles_to_insert(const LAMMPS_NS::FixInsert* fix) {
-  if (fix->next_reneighbor <= 0) return 0;  // 0 or less: insertion is complete
-  // The total is 0 before the first run if the deck gives a mass.
+  if (fix->next_reneighbor <= 0) return 0;  // LIGGGHTS sets 0 when the insertion is complete
+  // If the deck gives the mass of all particles instead of their number, LIGGGHTS computes the
+  // number in the setup of the first run. Until then, the number is 0.
   const int total = fix->*member_of(InsertTotal());
   if (fix->*member_of(InsertHasTotal()) && total > 0) return total - fix->*member_of(InsertDone());
   const auto pack = dynamic_cast<const LAMMPS_NS::FixInsertPack*>(fix);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Functions that read or change private members of LIGGGHTS.
+// Functions that read or change private data of LIGGGHTS' classes.
 #pragma once
 
 #include <cstddef>
@@ -25,9 +25,9 @@ class PrimitiveWall;
 
 namespace plastigran {
 
-// Registers a setting whose value is one of several words. `chosen` is the index of the word: first
-// the default, and the word of the deck after LIGGGHTS has read the line. Null words are omitted.
-// LIGGGHTS itself offers only on/off and numbers.
+// Registers a setting whose value is one of several words, because LIGGGHTS itself offers only
+// on/off and numbers. `chosen` contains the index of the default word. When LIGGGHTS has read the
+// line, `chosen` contains the index of the word in the deck. Null words are omitted.
 void add_choice(Settings& settings, const std::string& name, const char* const* words,
                 std::size_t count, int& chosen);
 
@@ -37,7 +37,7 @@ const std::map<std::string, Setting*>& settings_by_name(const Settings& settings
 // Returns whether the value of a setting is a number, and if so stores it in `number`.
 bool is_number(const Setting& setting, double& number);
 
-// Registers a fix style, which decks and the plugin can then create.
+// Registers a fix style, so that decks and the plugin can create fixes of this style.
 typedef LAMMPS_NS::Fix* (*FixCreator)(LAMMPS_NS::LAMMPS*, int, char**);
 void add_fix_style(LAMMPS_NS::Modify* modify, const std::string& style, FixCreator creator);
 

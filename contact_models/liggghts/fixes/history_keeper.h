@@ -30,9 +30,9 @@ class HistoryKeeper : public PluginFix {
   static const char* id() { return "plastigran_history"; }
   static const char* style() { return "plastigran/history"; }
 
-  // Returns the HistoryKeeper; adds it if there is none. `restarted` is the value of
-  // restarted_lines() when LIGGGHTS read the line of the caller. The caller must save this value,
-  // because LIGGGHTS discards these lines when it initializes the first wall.
+  // Returns the HistoryKeeper; adds it if there is none. The caller must call restarted_lines()
+  // when it is constructed, save the result, and pass it as `restarted`. Later, the lines may be
+  // missing: LIGGGHTS discards the data of the restart file when it initializes the first wall.
   static HistoryKeeper* of(LAMMPS_NS::LAMMPS* engine, const std::string& restarted);
 
   // Returns the contact lines from the restart file, as text of restart_text(). They are available

@@ -43,7 +43,8 @@ class ParticleRecords {
   void reserve(std::size_t particles, std::size_t values);
   void add(int id, const double* values, int count);
 
-  // Gets the records of the particles `ids` (0: none) from the ranks that have them. Collective.
+  // Gets missing records of the particles `ids` from the ranks that have them; skips IDs of 0.
+  // Collective.
   void fetch(const int* ids, int count, MPI_Comm ranks);
 
   Record find(int id) const;

@@ -18,8 +18,9 @@
 
 namespace plastigran {
 
-// Forces a setup of the next run, even with `pre no`. The destructor of a fix that contact models
-// point to calls it, because only a setup renews these pointers after `unfix`.
+// Forces a setup of the next run, even with `pre no`. Fixes of the plugin call this function when a
+// deck removes them by `unfix`: contact models have pointers to them, and only a setup renews these
+// pointers.
 inline void require_setup(LAMMPS_NS::LAMMPS* engine, const char* id) {
   // Stop inside a `run ... every` command, because its parts have no setup between them.
   if (engine->update->whichflag)

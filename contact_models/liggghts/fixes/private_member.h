@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Access to private members of LIGGGHTS' classes, which C++ allows in the arguments of an explicit
-// instantiation. After PRIVATE_MEMBER(Tag, Class::member), `object.*member_of(Tag())` is the
-// member.
+// Access to private members of LIGGGHTS' classes, for data without a public function. C++ does not
+// check access in the template arguments of an explicit instantiation. After
+// `PRIVATE_MEMBER(Tag, Class::member)`, `object.*member_of(Tag())` is the member.
 #pragma once
 
 namespace plastigran {

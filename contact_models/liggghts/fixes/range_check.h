@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Counts contacts that exceed the validity range of their law, and warns at the end of a run. If
-// the largest overlap has grown in 1000 steps, prints it as a machine-readable log line.
+// Counts contacts that exceed the validity range of their law, and warns at the end of a run. Every
+// 1000 steps, prints the largest overlap as a machine-readable log line if it has grown by 10 %.
 #pragma once
 
 #include <map>
@@ -15,15 +15,15 @@ namespace plastigran {
 
 class RangeCheck : public PluginFix {
  public:
-  // Counts of one model on this rank. Only rank 0 uses the members that this struct adds.
+  // Counts of one model on this rank. Only rank 0 uses the members that RangeAccount does not have.
   struct Excess : RangeAccount {
     const char* range = "";
     double all_contacts = 0;                // number of contacts beyond the range on all ranks
     double warned_contacts = 0;             // number of contacts reported in the last warning
     double printed_furthest = 0;            // last printed ratio of overlap to limit
     double warned_speed = 0;                // impact speed in the last warning [m/s]
-    bool warned = false;                    // whether contacts beyond the range were reported
-    std::set<std::string> unique_warnings;  // warnings that were printed already, each only once
+    bool warned = false;                    // whether a warning was printed
+    std::set<std::string> unique_warnings;  // warnings already printed, each only once
   };
 
   RangeCheck(LAMMPS_NS::LAMMPS* engine, int count, char** words) : PluginFix(engine, count, words) {

@@ -25,7 +25,8 @@ using LAMMPS_NS::FixPropertyAtom;
 
 namespace {
 
-// Returns the double with the same bits as an integer: LIGGGHTS stores integers in this way.
+// Returns the double with the same bits as an integer, because LIGGGHTS stores integers in arrays
+// of doubles in this way.
 double as_double(std::int64_t number) {
   double same_bits;
   std::memcpy(&same_bits, &number, sizeof number);

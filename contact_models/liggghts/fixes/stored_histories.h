@@ -43,8 +43,8 @@ class StoredHistories {
   std::size_t size_of(int i) const;
   std::vector<double> of(int i) const;
 
-  // Sets the history values of a particle, and updates the IDs of its partners to `ids`. Omits
-  // contacts with deleted partners.
+  // Sets the history values of a particle. Replaces the IDs of its partners by their new IDs, and
+  // omits contacts with deleted partners.
   void set(int i, const double* values, int count, const NewIds& ids);
 
   void clear(int i);

@@ -42,6 +42,7 @@ void TimeStepCheck::setup(int) {
 
 void TimeStepCheck::end_of_step() {
   find_stiffest();
+  // Warn again only if the recommended step is 10 % shorter than in the last warning.
   if (update->dt <= stiffest_.step || stiffest_.step > 0.9 * warned_contact_) return;
   warned_contact_ = stiffest_.step;
   std::ostringstream text;

@@ -2,8 +2,8 @@
 //
 // Compares the time step with the recommended one. Before a run, the recommended time step follows
 // from the fastest impact at the current velocities. During the run, it follows from the stiffest
-// contact so far. A line in the log compares the time step with the Rayleigh and Hertz times, and a
-// warning says if it is too long.
+// contact so far. A line in the log compares the time step with the Rayleigh and Hertz times. A
+// warning reports a time step that is too long.
 #pragma once
 
 #include <string>

@@ -56,7 +56,8 @@ void DissipationHeat::add(const Contact& contact, const AccountedLoad& on_i, con
     pairs_.push_back({contact.i, contact.j, load});
 }
 
-// Adds heat only to local particles, because the rank that owns a ghost's particle adds its heat.
+// Adds the heat of plastic work to local particles only, because a contact with a ghost is also
+// reported on the rank that owns the ghost's particle.
 void DissipationHeat::add_plastic_work(const Contact& contact, double work) {
   const double part = shares_.of_plastic_work(contact.itype, contact.jtype);
   const double mine = part * work, others = (1 - part) * work;

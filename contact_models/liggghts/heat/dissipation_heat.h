@@ -8,7 +8,8 @@
 // and dashpots is integrated as in velocity Verlet: half a step with the old force and half a step
 // with the new force. This work is summed per contact, because each of the two bodies receives half
 // of the heat. A rank does not have the velocities of ghosts at that time, so it computes only the
-// work on its own particles. It then sends the ghost's share of the heat to the ghost's rank.
+// work on its own particles. It then sends the ghost's share of the heat to the rank that owns the
+// particle.
 #pragma once
 
 #include <vector>

@@ -48,8 +48,8 @@ class AccountedContact : private ContactSetup, public LIGGGHTS::ContactModels::C
     if constexpr (std::is_same_v<Owner, LAMMPS_NS::PairGran>) pair_ = owner;
   }
 
-  // Returns the hash of the models in the deck. The hash of the base class contains placeholders
-  // ANY.
+  // Returns the hash of the models in the deck. The base class is compiled with the placeholder ANY
+  // (any_model.h) for some models, so its hash does not identify them.
   int64_t hashcode() { return hash(); }
   bool contact_match(const std::string& kind, const std::string& name) {
     return has_model(kind, name);
@@ -189,7 +189,7 @@ class AccountedContact : private ContactSetup, public LIGGGHTS::ContactModels::C
                         on_i.tangential_energy + spring_energy(contact));
   }
 
-  // Computes the contact data that LIGGGHTS' loop over pairs computes only for overlapping pairs.
+  // Computes the contact data that LIGGGHTS' loop over pairs lacks for pairs without overlap.
   void complete(Contact& contact) const {
     const LAMMPS_NS::Atom* const atom = engine_->atom;
     contact.r = std::sqrt(contact.rsq);
@@ -224,7 +224,7 @@ class AccountedContact : private ContactSetup, public LIGGGHTS::ContactModels::C
   int spring_offset_;  // offset of the tangential spring in the history, -1 if there is none
   int in_contact_offset_ = -1;  // offset of `in_contact`; -1: contacts end with the overlap
   bool requests_ledger_ = false;
-  bool line_read_ = false;
+  bool line_read_ = false;  // false if LIGGGHTS made the models from a restart file
 };
 
 }  // namespace plastigran

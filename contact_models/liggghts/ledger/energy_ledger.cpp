@@ -102,7 +102,8 @@ void EnergyLedger::setup_pre_exchange() {
 void EnergyLedger::count_changes() {
   const double now = mechanical_energy();
   sums_.inserted += now - mechanical_before_;
-  // Count the change once: commands that write files run a setup before the setup of the next run.
+  // Store the new energy, so that the change counts only once: a command that writes a file runs a
+  // setup, too, before the setup of the next run.
   mechanical_before_ = now;
 }
 

@@ -8,8 +8,8 @@
 // functions of each contact. The work of friction and damping is integrated as velocity Verlet
 // moves the particles: half a step of the old force and half a step of the new one, along the
 // displacement between them. Work is linear in the forces, so it suffices to sum the forces by
-// particle. These sums are kept from one force computation to the displacement of the next step,
-// because no particle changes its index in between.
+// particle. The sums of one force computation are used in the displacement of the next step: no
+// particle changes its index in between.
 #pragma once
 
 #include <vector>
@@ -60,7 +60,7 @@ class EnergyLedger : public PluginFix {
   // no conflict. `ledger` is null if no line has opened a ledger.
   static const char* complaint(const EnergyLedger* ledger, bool requested, bool is_wall);
 
-  // Registers the pair style or wall `owner`, which will report its contacts, in each setup.
+  // Registers the pair style or wall `owner`, which will report its contacts. Called in each setup.
   void attach(const void* owner) { owners_.add(owner); }
 
   // Adds the loads of a contact. All torques, and all forces that are not along the normal, come
@@ -93,13 +93,14 @@ class EnergyLedger : public PluginFix {
     phase_ = STEP;
   }
 
-  // Adds the work of the old forces. Positions are new, and velocities are at mid-step.
+  // Adds the work of the old forces. Positions are new, and velocities are at mid-step. If another
+  // fix acts before pre_exchange() of this fix, saves the energy here.
   void post_integrate() override {
     add_work();
     if (!acts_first_) mechanical_before_ = mechanical_energy();
   }
 
-  // Saves the energy before LIGGGHTS inserts, deletes and moves particles to other ranks.
+  // Saves the energy before LIGGGHTS inserts or deletes particles, or moves them to other ranks.
   void pre_exchange() override {
     if (acts_first_) mechanical_before_ = mechanical_energy();
   }
@@ -153,6 +154,7 @@ class EnergyLedger : public PluginFix {
     double plastic_work = 0, friction = 0, viscous = 0, wall_work = 0, inserted = 0;
     double initial_total = 0, adhesion_loss = 0;
   };
+  // First value in restart files. Files of older versions begin with a sum instead.
   static constexpr double not_a_sum = std::numeric_limits<double>::quiet_NaN();
   struct StoredSums {
     double mark;  // the value not_a_sum
@@ -197,10 +199,11 @@ class EnergyLedger : public PluginFix {
   ReportingOwners owners_;
   Phase phase_ = BETWEEN_RUNS;
   bool ran_ = false;
-  bool acts_first_ = false;  // whether pre_exchange() of this fix runs before all other fixes
+  bool acts_first_ = false;  // whether pre_exchange() of this fix runs before that of other fixes
 
-  // Energies stored in contacts in the last force computation, on this rank.
-  Stored by_pairs_, by_walls_;          // separate, so that sums do not depend on their order
+  // Energies stored in contacts in the last force computation, on this rank. Pairs and walls have
+  // separate sums, so that the results do not depend on which of them LIGGGHTS computes first.
+  Stored by_pairs_, by_walls_;
   StoredEnergies* deferred_ = nullptr;  // contacts to add to these sums when needed
   // Losses in `run 0`. They are not in sums_, because `run 0` writes no history.
   double plastic_work_of_run_0_ = 0, adhesion_loss_of_run_0_ = 0;

@@ -17,9 +17,9 @@ namespace plastigran {
 
 namespace {
 
-// Depths that differ by less than this fraction of the radius count as equal. At an edge between
-// coplanar triangles, LIGGGHTS may compute only the contact that has a history, so this contact is
-// preferred.
+// Depths that differ by less than this fraction of the radius count as equal. Of equal depths, the
+// contact with a history is preferred: at an edge between coplanar triangles, LIGGGHTS may compute
+// only this contact.
 const double same_depth = 1e-11;
 
 // Tolerance of a cosine, because corners in mesh files have about seven digits.
@@ -274,6 +274,8 @@ MeshContacts::Overlap* MeshContacts::heir_of(int particle, int first, int triang
   return heir == end ? nullptr : &*heir;
 }
 
+// Moves the history of the surface to `history`, and rotates its springs to the new contact
+// direction.
 void MeshContacts::take_over(int particle, Overlap& overlap, double* history) const {
   double* const former_history = std::exchange(overlap.history, nullptr);
   if (former_history == history) return;

@@ -38,10 +38,10 @@ class MeshContacts {
     list_step_ = contact_step_ = -1;
   }
 
-  // Returns whether LIGGGHTS has to compute the contact of a local particle with a triangle, or the
-  // end of that contact. The particle overlaps the triangle, or adhesion stretches the contact. If
-  // the result is true, the contact has taken over the history of its surface. `history` is
-  // LIGGGHTS' history of this contact, null if there is none.
+  // Returns whether LIGGGHTS has to compute the contact of a local particle with this triangle: the
+  // triangle has the contact of its surface, or the contact ends in this step. `history` is
+  // LIGGGHTS' history for this particle and triangle; null if there is none. If the triangle has
+  // the contact, this function moves the history of the surface there.
   bool computes(int particle, int triangle, double* history);
 
  private:

@@ -37,9 +37,9 @@ class SurfaceWall : public LIGGGHTS::Walls::Granular<Contact> {
     Base::settings(others.size(), others.data(), owner);
   }
 
-  // Sets `curvature` of the meshes to about zero before every run. LIGGGHTS sets up the meshes
-  // after the first call and removes edges that bend by less than `curvature`. A particle on the
-  // convex side of a removed edge would have no contact.
+  // Sets the property `curvature` of the meshes to about zero. LIGGGHTS sets up the meshes after
+  // the first call of this function, and removes edges that bend by less than `curvature`. A
+  // particle on the convex side of a removed edge would have no contact.
   void init_granular() override {
     Base::init_granular();
     if (feature_angle_ == 0 || !wall_->is_mesh_wall()) return;

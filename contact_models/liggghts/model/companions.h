@@ -32,12 +32,13 @@ inline int model_of(std::int64_t hash, std::size_t place) { return hash >> 6 * p
 // Number of rings of `tangential partial_slip`.
 constexpr int least_rings = 2, default_rings = 4, most_rings = 8;
 
-// The next bit of the hash, which marks a law with the option `adhesion jkr`. Restart files contain
-// the hash, so that the contact history after a restart has the same values.
+// Bit 30 of the hash, the first after the five places. It marks a law with the option
+// `adhesion jkr`. Restart files contain the hash, so the contact history has the same values after
+// a restart.
 constexpr std::int64_t with_adhesion = std::int64_t{1} << 30;
 
-// The next three bits of the hash, for the number of rings of `tangential partial_slip`: 0 stands
-// for the default, other values for the number less 1.
+// Bits 31 to 33 of the hash contain the number of rings of `tangential partial_slip` minus 1; 0
+// stands for the default number.
 inline int rings_of(std::int64_t hash) {
   const int bits = hash >> 31 & 7;
   return bits == 0 ? default_rings : bits + 1;

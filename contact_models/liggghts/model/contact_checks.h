@@ -26,8 +26,8 @@
 
 namespace plastigran {
 
-// Return the messages for an overlap beyond `overlap_limit` (both in radii of the smaller body) and
-// for a particle that is about to cross a wall.
+// Return the error messages for an overlap beyond `overlap_limit` (both in radii of the smaller
+// body), and for a particle that is about to cross a wall.
 std::string describe_overlap(const LAMMPS_NS::Atom* atom,
                              const LIGGGHTS::ContactModels::SurfacesIntersectData& contact,
                              double overlap, double overlap_limit);
@@ -75,9 +75,11 @@ class ContactChecks : protected LAMMPS_NS::Pointers {
     const double smaller = contact.is_wall ? contact.radi : std::min(contact.radi, contact.radj);
     if (contact.deltan > overlap_limit_ * smaller)
       fail(describe_overlap(atom, contact, contact.deltan / smaller, overlap_limit_));
+    // Stop before the center crosses the wall, because the wall then pushes to the other side.
     if (contact.is_wall && overlap_limit_ <= 1 && contact.deltan + 2 * approach(contact) > smaller)
       fail(describe_crossing(atom, contact));
-    // The limit holds for overlap/R* too, because R* is at most the smaller radius.
+    // overlap_limit_ refers to the smaller radius. R* is at most this radius, so a check of every
+    // overlap above overlap_limit_ R* finds all overlaps beyond the limit.
     const bool deeper = pair.deepens(contact.deltan / radius_eff, overlap_limit_);
     pair.at_factor(factor, [&](const auto& law, double range) {
       if (contact.deltan > range * radius_eff)
@@ -115,9 +117,9 @@ class ContactChecks : protected LAMMPS_NS::Pointers {
          contact.is_wall ? 0 : atom->tag[contact.j]});
   }
 
-  // Counts a contact that exceeds the validity range. In the first step of a run, the contact may
-  // not have moved to this overlap by itself, because decks move particles between runs. Two ranks
-  // check a contact across their border, and each counts half of it.
+  // Counts a contact that exceeds the validity range. The first step of a run is marked: its
+  // overlap may result from a command instead of motion, because decks can move particles between
+  // runs. Two ranks check a contact across their border, and each counts half of it.
   template <class AnyLaw>
   void check_range(const Contact& contact, const AnyLaw& law, double range, double radius_eff,
                    const State& before, const State& now) {

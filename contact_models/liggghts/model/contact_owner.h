@@ -32,8 +32,9 @@ class ContactOwner {
 
   bool has_model(const std::string& keyword, const std::string& name) const;
 
-  // Returns the law in the line, with the option `adhesion jkr` if the line has it; empty for a
-  // normal model of LIGGGHTS, except for `hertz` beside a tangential law.
+  // Returns the law in the line, with the option `adhesion jkr` if the line has it. Returns "hertz"
+  // for LIGGGHTS' model combined with a tangential law, and an empty string for all other models of
+  // LIGGGHTS.
   std::string law() const;
 
   // Returns the other contact models in the line (" KIND NAME ..."), without those that are off,

@@ -23,7 +23,8 @@ class ContactSetup : public LIGGGHTS::IContactHistorySetup {
   ContactSetup(LIGGGHTS::IContactHistorySetup* owner, int64_t hash) : owner_(owner), hash_(hash) {}
   virtual ~ContactSetup() {}
 
-  // Returns the setup object that LIGGGHTS passes to the models of an AccountedContact.
+  // Returns, as a ContactSetup, the setup object that LIGGGHTS passes to the models of an
+  // AccountedContact.
   static ContactSetup& of(LIGGGHTS::IContactHistorySetup* setup) {
     return dynamic_cast<ContactSetup&>(*setup);
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// LIGGGHTS' normal model `hertz` beside a tangential law. Keeps the contact histories of the
-// tangential law, and reports the energies of the normal force.
+// LIGGGHTS' normal model `hertz`, combined with a tangential law of Plastigran. Keeps the contact
+// histories of the tangential law, and reports the energies of the normal force.
 #pragma once
 
 #include <string>

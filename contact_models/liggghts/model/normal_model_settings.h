@@ -29,6 +29,7 @@ class NormalModelSettings {
     for (const auto& option : options_of<Law>)
       add_choice(settings, option.name, option.choices.data(), option.choices.size(),
                  choices.*option.value);
+    // LIGGGHTS' own settings; read() rejects them with a message that names the alternative.
     settings.registerOnOff("computeElasticPotential", host_elastic_potential_, false);
     settings.registerOnOff("computeDissipatedEnergy", host_dissipated_energy_, false);
   }

@@ -69,7 +69,7 @@ class NormalModelSetup : public NormalModelBase {
     if (!complaint.empty()) fail(complaint);
   }
 
-  // Reads the settings from the text of the line, which another model has read from the deck.
+  // Reads the settings from `text`, the settings that another model has read from the line.
   void read(const std::string& text) {
     plastigran::restore_settings(lmp, *this, text, [this] { postSettings(nullptr, nullptr); });
     settings_.set_text(text);
@@ -222,7 +222,7 @@ class NormalModelSetup : public NormalModelBase {
     const bool cohesive = owner_.other_models().find(" cohesion ") != std::string::npos;
     for (const std::string& doubt : deck.doubts(pairs_.bodies(), cohesive))
       checks_.warn_once(doubt);
-    if (neighbor->style == 2)
+    if (neighbor->style == 2)  // multi
       checks_.warn_once("LIGGGHTS misses contacts with `neighbor ... multi`. Use `bin`");
   }
 

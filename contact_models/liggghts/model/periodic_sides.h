@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // Check of the periodic box size. LIGGGHTS stores one contact history per pair of particles. If a
-// periodic side is too short, a pair can touch across both ends of the side, and both contacts
+// periodic side is too short, a pair can have two contacts, one across each end of the side. Both
 // would share this history.
 #pragma once
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Contact point on a wall, and the velocity of the wall at this point. A mesh moves by its velocity
-// times the time step before the forces are computed, so its velocity then belongs to this step.
+// Contact point on a wall, and the velocity of the wall at this point. A mesh moves before the
+// forces of a step are computed. Its velocity at that time is its displacement in this step,
+// divided by the time step.
 #pragma once
 
 #include <array>
@@ -41,7 +42,7 @@ class WallPoint {
  private:
   LAMMPS_NS::TriMesh* mesh_;  // mesh of the wall; null for a primitive wall
   int triangle_;
-  double weights_[3] = {0, 0, 0};   // weights of the nodes of the triangle
+  double weights_[3] = {0, 0, 0};   // barycentric coordinates of the point in the triangle
   std::array<double, 3> velocity_;  // velocity of a primitive wall
 };
 

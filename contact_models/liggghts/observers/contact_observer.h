@@ -38,7 +38,8 @@ class ContactObserver : public PluginFix {
   // Reads the group of the fix. Stops unless the group is `all`.
   ContactObserver(LAMMPS_NS::LAMMPS* engine, int count, char** words);
 
-  // Returns all observers, to which the pair style or wall `owner` reports. Each setup calls it.
+  // Registers the pair style or wall `owner` with all observers, and returns the observers. Each
+  // setup calls this function.
   static std::vector<ContactObserver*> attach(LAMMPS_NS::LAMMPS* engine, const void* owner);
 
   // Receives the loads of all models of a contact. A contact with a ghost is reported twice, once

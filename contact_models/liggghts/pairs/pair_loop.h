@@ -2,13 +2,13 @@
 //
 // LIGGGHTS' pair style with a faster loop over the contacts, for steps that need only forces. All
 // other steps run LIGGGHTS' loop. Both loops pass the same contacts in the same order to the same
-// models, and sum the forces in the same order, so the results are bitwise identical. (If a
-// compiler fuses products and sums, a grazing contact may start one step later.)
+// models, and sum the forces in the same order, so the results are bitwise identical. (If the
+// compiler uses fused multiply-add, a contact may begin one step later.)
 //
 // The loop is faster for three reasons. It selects the touching pairs first, which avoids
 // mispredicted branches. It passes near pairs without overlap to the models only if they may have a
-// contact history. It does not copy the load to count energies, and it computes stored energies
-// only when the ledger needs them, in a separate pass.
+// contact history. The energies are part of the load, which is not copied. Stored energies are
+// computed only when the ledger needs them, in a separate pass.
 #pragma once
 
 #include <cmath>

@@ -58,7 +58,9 @@ class AnyModel : public Base {
 
  protected:
   ContactSetup& setup_;
-  std::shared_ptr<Base> model_;  // LIGGGHTS' base classes have no virtual destructor
+  // A shared_ptr, which calls the destructor of the model's own class, because LIGGGHTS' base
+  // classes have no virtual destructor.
+  std::shared_ptr<Base> model_;
 };
 
 }  // namespace plastigran
@@ -104,8 +106,8 @@ class NormalModel<ANY> : public plastigran::AnyModel<NormalModelBase> {
   }
 
  private:
-  // Replaces the law by the law with adhesion. The contact history keeps the values of both, so
-  // that a line of a deck and a restart file lead to the same layout.
+  // Replaces the law by the law with adhesion. The contact history contains the values of both
+  // models, so that its layout is the same for a line of a deck and for a restart file.
   void add_adhesion(const std::string& settings) {
     setup_.add_adhesion();
     model_.reset();

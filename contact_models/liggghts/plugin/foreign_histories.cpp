@@ -35,7 +35,7 @@ struct HistoryStyle {
 // Pair style or wall whose histories a fix stores.
 struct Owner {
   std::string name;  // "pair_style" or "fix ID"; empty: the fix stores something else
-  // Names of the contact models as in ContactLine, without options; empty for a law of LIGGGHTS.
+  // Names of the contact models as in ContactLine, without options; empty for models of LIGGGHTS.
   std::string models;
 };
 

@@ -12,7 +12,8 @@ class LAMMPS;
 
 namespace plastigran {
 
-// Makes LIGGGHTS check every new fix that stores contact histories, when the fix is created.
+// Replaces the functions with which LIGGGHTS creates fixes for contact histories. The new functions
+// check the restart file before they create a fix.
 void discard_foreign_histories(LAMMPS_NS::LAMMPS* engine);
 
 }  // namespace plastigran

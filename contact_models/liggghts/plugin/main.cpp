@@ -61,8 +61,8 @@ std::string unknown_models(const CommandLine& command) {
 
 // Configures Open MPI for one rank if no launcher such as mpirun was used. Without this
 // configuration, Open MPI would start a daemon and search for networks, which takes as long as the
-// start of LIGGGHTS. The session directory is disabled too. Without a daemon, all such processes
-// share it, and the first process that ends deletes it.
+// start of LIGGGHTS. The session directory is disabled too: without a daemon, all such processes
+// would share it, and the first process that ends would delete it.
 void start_alone() {
   for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK"})
     if (std::getenv(name)) return;

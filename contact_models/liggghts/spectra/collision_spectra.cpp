@@ -60,7 +60,7 @@ void CollisionSpectra::add(const Contact& contact, const AccountedLoad& on_i, co
     most_contacts_ = std::max(most_contacts_, ++contacts_[contact.j]);
   const bool exchanged = !contact.is_wall && atom->tag[contact.j] < atom->tag[contact.i];
   const int holder = exchanged ? contact.j : contact.i;
-  // Skip ghosts: the rank of the other particle reports the contact too.
+  // Skip contacts whose holder is a ghost: the rank that owns the holder reports them too.
   if (holder >= atom->nlocal) return;
   const Partner partner = contact.is_wall ? wall_partner(wall_number(owner))
                                           : atom->tag[exchanged ? contact.i : contact.j];
@@ -76,13 +76,14 @@ void CollisionSpectra::add(const Contact& contact, const AccountedLoad& on_i, co
       begun.load = exchanged ? load.exchanged() : load;
     place = records_.begin(holder, partner, begun);
   }
-  if (!contact.shearupdate) {  // true in the setup
+  if (!contact.shearupdate) {  // in the setup, in which no time passes
     const double energy = on_i.plastic_work + on_i.adhesion_loss;
     records_.at(holder, place).energy += energy;
     energy_ += energy;
     return;
   }
-  // A particle can touch several triangles of one wall in a step.
+  // A particle can touch several triangles of one wall in a step. Only the first adds the work of
+  // the load of the previous step.
   const bool first = !records_.touch(holder, place);
   advance(records_.at(holder, place), contact, on_i, load, exchanged, first);
 }

@@ -79,7 +79,7 @@ class CollisionSpectra : public ContactObserver {
   std::vector<int> contacts_;               // number of contacts of each particle in this step
   int most_contacts_ = 0;                   // largest number of contacts of a particle so far
   Tally tally_;                             // impacts on this rank since the last table
-  double impacts_ = 0, impact_energy_ = 0;  // counted impacts on this rank
+  double impacts_ = 0, impact_energy_ = 0;  // number and energy [J] of counted impacts, this rank
   double energy_ = 0;                       // dissipated energy of all contacts on this rank [J]
   long particle_total_ = 0;            // particles at the end of the last run; 0 before the first
   std::vector<std::string> wall_ids_;  // IDs of walls; the index of a wall never changes

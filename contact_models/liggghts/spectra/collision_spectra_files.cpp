@@ -58,8 +58,8 @@ void CollisionSpectra::read_words(int count, char** words) {
   if (comm->me == 0) open(path_);
 }
 
-// Opens the table file on rank 0. Keeps the tables up to the current step; a run from a restart
-// file writes the later tables again.
+// Opens the table file on rank 0. Keeps the tables up to the current step, and drops later ones,
+// because a run from a restart file writes them again.
 void CollisionSpectra::open(const std::string& path) {
   std::string kept = heading;
   std::ifstream before(path);
@@ -104,6 +104,8 @@ int CollisionSpectra::pack_restart(int i, double* buffer) {
   return size_restart(i);
 }
 
+// Reads the impacts of a particle. atom->extra contains the values of several fixes one after
+// another; each begins with its number of values. `nth` is the number of fixes before this one.
 void CollisionSpectra::unpack_restart(int i, int nth) {
   const double* values = atom->extra[i];
   for (int k = 0; k < nth; ++k) values += static_cast<int>(*values);

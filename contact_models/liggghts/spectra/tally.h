@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Counts of impacts by bodies, atom types, and logarithmic classes of a quantity.
+// Counts of impacts by wall, atom types, and logarithmic classes of a quantity.
 #pragma once
 
 #include <mpi.h>

@@ -26,9 +26,9 @@
 
 namespace plastigran {
 
-// Add a number or a vector of the state to the contact history, and return its offset. LIGGGHTS
-// changes the sign of a value with the flag "1" when it stores a pair from the side of the other
-// particle.
+// Add a number or a vector of the state to the contact history, and return its offset. When
+// LIGGGHTS stores a pair from the side of the other particle, it changes the sign of values with
+// the flag "1".
 inline int add_number(LIGGGHTS::IContactHistorySetup& setup, const std::string& name) {
   return setup.add_history_value(name, "0");
 }
@@ -76,8 +76,9 @@ struct TangentialHistory<PartialSlip<4>> {
       const std::string ring = std::to_string(k);
       const int edge = add_number(setup, "ring_edge" + ring);
       if (k == first) offset = edge;
-      // Seen from the other particle, the normal and the x axis of the contact change their sign,
-      // so the y axis remains. A share that changes its sign has the same x and the opposite y.
+      // Seen from the other particle, the force of a ring is opposite. The normal and the x axis of
+      // the contact are opposite, too, so the y axis, normal cross x, is the same. Therefore the x
+      // component of the force does not change, and the y component changes its sign.
       add_number(setup, "ring_sharex" + ring);
       setup.add_history_value("ring_sharey" + ring, "1");
     }
