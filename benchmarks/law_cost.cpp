@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // Measure the cost of a law alone, without a host. Every law computes the same contacts, and the
-// program prints the time of each phase as CSV. Under callgrind, each phase writes its counts to a
-// separate dump, named law/phase/answer. law_cost.py combines times and counts.
+// program prints the time of each phase as CSV. Under callgrind, each phase writes its instruction
+// counts to a separate file, named law/phase/answer. law_cost.py combines times and counts.
 //
 //   law_cost [--repeats N] [LAW ...]
 //
@@ -104,7 +104,8 @@ double seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-// Prints the shortest time of several repetitions of a path [ns per contact and step].
+// Prints the shortest time of several repetitions of a path [ns per contact and step]. Also prints
+// the sum of all results, so that the compiler cannot omit the computation.
 template <class Law, bool energies>
 void walk(const Law& law, const Bed& bed, const Path& path, int repeats) {
   std::vector<double> begin(contact_count * Law::state_names.size() + 1), history;
@@ -138,6 +139,7 @@ void measure(const std::vector<std::string>& chosen, int repeats) {
   const Body body{7e10, 0.3, 3e8, 1.61};
   const MaterialPair pair = combine(body, body);
   double overlap_y = yield_radius_ratio(pair) * yield_radius_ratio(pair);
+  // The formula above is for spheres. Cylinders yield at larger overlaps.
   if constexpr (std::string_view(shape<Law>) == std::string_view("cylinder")) overlap_y *= 20;
   const Bed bed = make_bed(overlap_y);
   const double before = seconds();

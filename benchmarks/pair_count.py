@@ -54,8 +54,7 @@ def contact_steps(bed: Path, shape: str) -> int:
     """Return the number of contacts with force, summed over the steps; equal for all laws."""
     run_bed(REFERENCE, "plastic", bed, STEPS, count_every=1, shape=shape)
     contacts = read_contacts(WORK / "run" / "contacts.dump")
-    # The setup of the second run computes the contacts of its first step again, so count them
-    # twice.
+    # The setup of the second run computes the contacts of step STEPS again, so count them twice.
     return len(contacts) + len(contacts.query("step == @STEPS"))
 
 

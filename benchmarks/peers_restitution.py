@@ -28,9 +28,10 @@ DECKS = Path(__file__).resolve().parent / "peers"
 FIGURE = PROJECT / "docs" / "figures" / "peers.svg"
 METAL = METALS["s0.0012-nu0.3-perfect"]
 SPEED_RATIOS = np.geomspace(1.2, 500, 24)  # impact speeds / yield speed
-#: Elastic duration of the fastest impact / time step.
+#: Duration of the fastest impact if it were elastic, divided by the time step.
 IMPACT_STEPS = 4000
-#: v/v_Y at which hooke/hysteresis is fitted, and largest unloading / loading stiffness of this law.
+#: Speed ratio v/v_Y at which hooke/hysteresis is fitted, and largest ratio of unloading to loading
+#: stiffness of this law.
 AGREES, STIFFEST = 100.0, 5.0
 MATERIALS = {"LAMMPS mdr": "mdr {modulus} {nu} {strength} 0 0.5 0 tangential mindlin NULL 1 0.3 "
              "damping mdr 1"}  # fmt: skip

@@ -24,7 +24,7 @@ from tqdm import tqdm
 from plastigran import laws
 from plastigran.usable_laws import laws_for
 
-# Numbers of contacts, and of steps of a contact, for one random pair of bodies.
+# Number of contacts of one random pair of bodies, and number of steps of each contact.
 CONTACTS, STEPS = 200, 100
 #: Allowed round-off of energy differences, relative to the energies of a contact.
 ROUND_OFF = 1e-11

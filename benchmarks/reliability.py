@@ -149,7 +149,7 @@ def size(folder: Path, _: int) -> Iterator[Row]:
     log = folder / "log.liggghts"
     values = {"side": "59", "mixing": "0.1", "duration": "1e9", "rows": "1000000000"}
     values |= {"checkpoints": "1"}
-    # The duration in the deck is in collision times. Replace the duration by a number of steps.
+    # The deck gives the duration in collision times. Replace it by a number of steps.
     deck = PROJECT / "inputs" / "bulk" / "cooling_gas.in"
     text = deck.read_text()
     text = text.partition("variable per_row")[0] + (

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // Replaces sched_yield in the tests by a function that sleeps. With OMPI_MCA_mpi_yield_when_idle=1,
-// waiting ranks call sched_yield. The kernel's function gives the core away for a whole time slice.
-// Four ranks on two busy cores then wait thirty times as long as they compute. A sleeping rank
-// wakes up earlier, because the kernel prefers it to computing ranks.
+// waiting ranks of Open MPI call sched_yield. The kernel's own function gives the core away for a
+// whole time slice. Four ranks on two busy cores then wait thirty times as long as they compute. A
+// sleeping rank wakes up earlier, because the kernel prefers it to computing ranks.
 #include <sched.h>
 #include <time.h>
 #include <unistd.h>

@@ -37,7 +37,7 @@ from plastigran.engine.log import LOG, read_thermo
 from plastigran.engine.process import PROJECT, run_deck
 
 #: Largest allowed difference, relative to the largest force or energy of a scene. An overlap of
-#: 1e-5 of the box has a round-off of 1e-11, and steep curves multiply the round-off by ten.
+#: 1e-5 of the box has a relative round-off of 1e-11, and steep force curves multiply it by ten.
 TOLERANCE = 1e-9
 RESULTS = PROJECT / "results" / "random_scenes.csv"
 

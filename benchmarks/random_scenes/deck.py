@@ -107,7 +107,8 @@ def _again(scene: Scene, event: Event) -> Iterator[str]:
 
 
 def _properties(scene: Scene) -> Iterator[str]:
-    # LIGGGHTS requires an object of type 1, even if all particles of type 1 are deleted.
+    # LIGGGHTS stops if nothing has atom type 1. A scene may delete all particles of type 1, but
+    # this template remains.
     yield (
         "fix first all particletemplate/sphere 15485863 atom_type 1 density constant 1000 "
         "radius constant 0.05"

@@ -14,9 +14,9 @@ from plastigran import laws
 from plastigran.laws import Body
 from plastigran.usable_laws import laws_for
 
-#: Largest overlap / radius in an impact of the smallest radius with the largest mass. The initial
-#: speeds are reduced until impacts are below this limit. Overlaps are larger if several particles
-#: press on one particle. The plugin stops the run at an overlap / radius of 1.
+#: Limit of overlap / smallest radius for an impact with the smallest radius and the largest mass of
+#: the scene. The initial speeds are reduced until impacts are below this limit. Overlaps are larger
+#: if several particles press on one particle. The plugin stops the run at an overlap / radius of 1.
 DEEPEST = 0.6
 
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Library that counts MPI calls if LIGGGHTS preloads it. It writes a file mpi_calls.<rank> in the
-// working folder of LIGGGHTS. The file has a line for each MPI function: number of calls, and bytes
-// sent or reduced.
+// Library that counts the MPI calls of LIGGGHTS if it is preloaded (LD_PRELOAD). It writes a file
+// mpi_calls.<rank> in the working folder of LIGGGHTS. The file has a line for each kind of MPI
+// call: number of calls, and bytes sent or reduced.
 #include <mpi.h>
 #include <stdio.h>
 

@@ -7,8 +7,8 @@
 // BODY is `E nu`, `body FILE` with a material file, `rigid`, or `mixed` for the bodies of two atom
 // types. Each `name` is a constant of the body, or a constant or an option of the law. MODELS are
 // LAMMPS' granular models, which begin with a word such as `tangential`. In a wall line, the
-// position of the wall follows. `tangential` can also name a tangential law of
-// Plastigran: `incremental MU`, or `partial_slip MU [rings N]`, with the friction coefficient MU.
+// position of the wall follows. `tangential` can also name a tangential law of Plastigran:
+// `incremental MU`, or `partial_slip MU [rings N]`, with the friction coefficient MU.
 #pragma once
 
 #include <map>
@@ -34,7 +34,7 @@ struct ContactLine {
   std::string viscous;  // coefficient of LAMMPS' damping model; empty if not given
   TangentialLine tangential;
   std::vector<std::string> models;  // the words of LAMMPS' own models
-  std::vector<std::string> words;   // all words
+  std::vector<std::string> words;   // all words of the line
 
   // Reads a line. Returns an error message; empty if the line is valid.
   Complaint read(const std::vector<std::string>& line);

@@ -35,8 +35,8 @@ void ContactTally::add_dissipated(const GranularModel& contact, double plastic_w
   if (is_pair && !shared) balance_->add_to_particle(index(contact.vj), 0.5 * plastic_work);
 }
 
-// In the first step of a run, the overlap may result from a command instead of motion, because
-// decks can move particles between runs.
+// The account also receives `run_begins_`: in the first step of a run, the overlap may result from
+// a command instead of motion, because decks can move particles between runs.
 void ContactTally::add_deep(const GranularModel& contact, const RuntimeLaw& law,
                             RangeAccount& account, double factor, const double* before,
                             const double* now) {

@@ -16,7 +16,8 @@ class ContactTally {
  public:
   virtual ~ContactTally() noexcept(false) = default;  // noexcept(false) as in LAMMPS' classes
 
-  // Call begin() before a force computation and end() after it; add() ignores all other contacts.
+  // Call begin() before a force computation and end() after it. The other functions ignore contacts
+  // that LAMMPS computes at other times, for example for a command such as `compute pair/local`.
   void begin(LAMMPS_NS::LAMMPS* lammps);
   void end() { active_ = false; }
 
@@ -49,7 +50,7 @@ class ContactTally {
 
   // Sums over the contacts of this rank: number, and energies [J].
   double contacts = 0, elastic_energy = 0, surface_energy = 0, spring_energy = 0;
-  bool lacks_loads = false;  // whether the deck's heat model takes LoadModel's place
+  bool lacks_loads = false;  // true if the deck has a heat model, so that there is no LoadModel
 
  protected:
   // Forces of a wall on all particles of this rank.
@@ -61,6 +62,7 @@ class ContactTally {
   EnergyBalance* balance_ = nullptr;
 
  private:
+  // Returns the local index of a particle from the address of its velocity in LAMMPS' contact.
   int index(const double* velocity) const { return static_cast<int>((velocity - velocities_) / 3); }
   // Returns whether another rank also computes this contact.
   bool is_shared(const LAMMPS_NS::Granular_NS::GranularModel& contact) const {
@@ -72,7 +74,7 @@ class ContactTally {
 
   bool active_ = false, newton_ = true, run_begins_ = false;
   int nlocal_ = 0;
-  const double* velocities_ = nullptr;
+  const double* velocities_ = nullptr;  // address of the velocity of particle 0
 };
 
 }  // namespace plastigran

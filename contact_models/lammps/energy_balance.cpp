@@ -165,8 +165,8 @@ double EnergyBalance::state_energy() const {
   return mechanical_energy() + now.elastic + now.surface;
 }
 
-// At this point of the setup, LAMMPS has not yet computed the forces of some walls. `end_setup` is
-// called when all forces are known.
+// At this point of the setup, LAMMPS has not yet computed the forces of some walls. Therefore
+// end_setup() is called later, when all forces are known.
 void EnergyBalance::setup(int) {
   mechanical_ = mechanical_energy();
   in_setup_ = true;

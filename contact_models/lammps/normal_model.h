@@ -5,9 +5,10 @@
 // keeps the name and the coefficients of `hertz/material`, because restart files and LAMMPS'
 // damping models use them.
 //
-// Contact history: LAMMPS' flag of contacts that can stretch, the state of the law, the plastic
-// work, and, for bodies with a rate coefficient, the rate factor. When LAMMPS stores a pair for the
-// other particle, it multiplies history values by their transfer factor: -1 unless a model sets 1.
+// Contact history: a flag of LAMMPS (only for laws whose contacts can stretch), the state of the
+// law, the plastic work, and the rate factor (only for bodies with a rate coefficient). When LAMMPS
+// stores a pair for the other particle, it multiplies each history value by its transfer factor.
+// The default of this factor is -1; this model sets 1.
 #pragma once
 
 #include <memory>

@@ -25,7 +25,7 @@ using LAMMPS_NS::Granular_NS::GranularModel;
 
 namespace {
 
-constexpr const char* ids = "plastigran_id";  // name of the particles' IDs in the last run
+constexpr const char* ids = "plastigran_id";  // per-particle value: atom ID in the last run
 
 std::vector<char*> pointers(std::vector<std::string>& words) {
   std::vector<char*> all;
@@ -40,7 +40,8 @@ PairStyle::PairStyle(LAMMPS_NS::LAMMPS* lammps) : PairGranular(lammps) {
   set_cutoff("");
 }
 
-// LAMMPS leaves its cutoff unset after read_restart.
+// Passes the argument of pair_style to LAMMPS. read_restart() also calls this function, because
+// LAMMPS leaves its cutoff unset there.
 void PairStyle::set_cutoff(const std::string& cutoff) {
   cutoff_ = cutoff;
   char* word = cutoff_.data();
@@ -101,8 +102,8 @@ void PairStyle::coeff(int count, char** words) {
             line_of(std::stoi(types[1])).body);
 }
 
-// Makes LAMMPS create a model for the atom types, which LAMMPS appends to its list, and replaces
-// it.
+// Makes LAMMPS create its own model for the atom types, and replaces it by the law. LAMMPS appends
+// the new model to its list.
 void PairStyle::add_model(const std::string& types, const std::string& other_types,
                           const ContactLine& line, const Body& one, const Body& other) {
   const auto made = law(line, one, other, "pair_coeff");
@@ -121,8 +122,8 @@ void PairStyle::set_model(GranularModel* model, const ContactLine& line, const B
 }
 
 // Adds a model for two atom types that no line names together. LAMMPS cannot mix the laws. Its
-// mixing of `mindlin NULL` is also unsuitable: two types of equal modulus get a different stiffness
-// from one type.
+// mixing of `mindlin NULL` is also unsuitable: between two types of equal modulus, the tangential
+// stiffness would differ from that between particles of one type.
 void PairStyle::mix(int type, int other_type) {
   const ContactLine one = line_of(type), other = line_of(other_type);
   if (one.law != other.law || one.law_words != other.law_words || one.models != other.models ||
@@ -199,8 +200,9 @@ void PairStyle::compute(int eflag, int vflag) {
   if (EnergyBalance::of(lmp) && force->newton_pair) comm->reverse_comm(this);
 }
 
-// Copies the history of a pair for the other particle. In LAMMPS, the offset of each part of the
-// history allows for the largest model; LAMMPS' own function assumes the sizes of one model.
+// Copies the history of a pair for the other particle. The parts of the history (normal,
+// tangential, ...) begin at offsets that leave space for the largest model of all type pairs.
+// LAMMPS' own function assumes that the parts of one model follow each other without gaps.
 void PairStyle::transfer_history(double* source, double* target, int type, int other_type) {
   const GranularModel* const model = models_list[types_indices[type][other_type]];
   for (const auto* const part : model->sub_models)
@@ -225,7 +227,7 @@ void PairStyle::unpack_reverse_comm(int count, int* particles, double* buffer) {
 }
 
 // Writes LAMMPS' own data, then the lines of the laws. LAMMPS calls this function on rank 0 only.
-// Mixed types are omitted, because they are mixed again after a restart.
+// Omits the models from mix(), because mix() adds them again after a restart.
 void PairStyle::write_restart(FILE* file) {
   for (const auto& [i, j] : mixed_) setflag[i][j] = 0;
   PairGranular::write_restart(file);

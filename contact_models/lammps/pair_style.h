@@ -4,8 +4,8 @@
 //
 //   pair_coeff 1 1 universal 7e10 0.3 yield_strength 3e8 tangential mindlin_rescale NULL 1.0 0.5
 //
-// If no line names two atom types together, their contacts have the law of both types, with the
-// material constants of both.
+// If no line names two atom types together, both types must have the same law. Their contacts then
+// have this law, with the material constants of both types.
 #pragma once
 
 #include <map>

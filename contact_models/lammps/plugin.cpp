@@ -27,7 +27,7 @@ void* make(void* lammps, int count, char** words) {
 }
 
 #ifndef PLASTIGRAN_LAMMPS_TAG
-#define PLASTIGRAN_LAMMPS_TAG "any update"  // the sources define the binary interface
+#define PLASTIGRAN_LAMMPS_TAG "any update"  // built with LAMMPS' own headers
 #endif
 constexpr const char* tag = PLASTIGRAN_LAMMPS_TAG;
 

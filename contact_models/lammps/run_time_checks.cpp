@@ -105,7 +105,7 @@ void RunTimeChecks::post_run() {
 // Prints the largest overlap if it exceeds the last printed one by more than `factor`. All ranks
 // must call this function.
 void RunTimeChecks::print_furthest(const std::string& law, Excess& excess, double factor) {
-  if (excess.range.empty()) return;  // law of an earlier run, read from a restart file
+  if (excess.range.empty()) return;  // a law from the restart file that this run does not use
   double furthest;
   MPI_Reduce(&excess.contacts, &excess.all_contacts, 1, MPI_DOUBLE, MPI_SUM, 0, world);
   MPI_Reduce(&excess.furthest, &furthest, 1, MPI_DOUBLE, MPI_MAX, 0, world);

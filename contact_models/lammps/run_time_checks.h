@@ -45,7 +45,8 @@ class RunTimeChecks : public LAMMPS_NS::Fix {
   void restart(char* data) override;
 
  private:
-  // Counts of a law on this rank. Only rank 0 uses the members that this struct adds.
+  // Counts of a law on this rank. Except for `range`, only rank 0 uses the members that
+  // RangeAccount does not have.
   struct Excess : RangeAccount {
     std::string range;            // validity range in words
     double all_contacts = 0;      // number of contacts beyond the range on all ranks

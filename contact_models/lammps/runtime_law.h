@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// A law between two materials, selected by its name at run time. The functions receive a state as
-// the address of its values in the contact history.
+// A law between two materials, selected by its name at run time. The functions receive a state as a
+// pointer to its values in the contact history. `factor` is the rate factor of the contact.
 #pragma once
 
 #include <algorithm>
@@ -35,7 +35,8 @@ class RuntimeLaw {
   virtual double pull_off_distance(double radius_eff) const = 0;
   // Returns the energy lost if the contact formed or broke in the step from `before` to `now` [J].
   virtual double lost_at_ends(double radius_eff, const double* before, const double* now) const = 0;
-  virtual bool in_contact(const double* state) const = 0;  // true for contacts that cannot stretch
+  // Returns whether the bodies are in contact; always true for laws whose contacts cannot stretch.
+  virtual bool in_contact(const double* state) const = 0;
   virtual double recommended_timestep(double radius_eff, double mass_eff, double speed) const = 0;
   // Returns whether an impact exceeds the validity range of the law.
   virtual bool will_exceed_range(double radius_eff, double mass_eff, double speed) const = 0;
@@ -159,8 +160,8 @@ struct NamedLaw {
 
 const std::vector<const NamedLaw*>& named_laws();
 
-// Sets the constants and options of a law from its line. Skips the option `adhesion`, which selects
-// the class of the law.
+// Sets the constants and options of a law from its line. Skips the option `adhesion`, because
+// make_law() reads it to select the class of the law.
 template <class Law>
 Complaint read_constants(const ContactLine& line, typename Law::Parameters& constants) {
   std::string names = " adhesion";

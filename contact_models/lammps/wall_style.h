@@ -30,8 +30,8 @@
 
 namespace plastigran {
 
-// The line of a wall, in which the words of LAMMPS' own model replace the law. It is the first base
-// class of a wall, because the constructor of LAMMPS' wall reads the words.
+// Reads the line of a wall, and replaces the law in it by the words of LAMMPS' own model. It is the
+// first base class of a wall, because the constructor of LAMMPS' wall reads these words.
 class WallLine {
  public:
   WallLine(LAMMPS_NS::LAMMPS* lammps, int count, char** words);
@@ -72,6 +72,7 @@ class WallStyle : private WallLine, public LammpsWall, public ContactTally {
     return -force;
   }
 
+  // Makes the laws again from the present pair_coeff lines.
   void init() override {
     NormalModel::replace(this->model, this->lmp, laws(), tangential(), *this);
     LammpsWall::init();
@@ -104,8 +105,9 @@ class WallStyle : private WallLine, public LammpsWall, public ContactTally {
   }
 
  private:
-  // Returns the velocity of a moving region in the last step. Returns zero for planes, because
-  // LAMMPS gives their velocity at the end of the step.
+  // Returns the velocity of a moving region, which LAMMPS computes as the mean over the last step.
+  // Returns zero for planes: LAMMPS computes their velocity at the end of the step, so their work
+  // needs no correction.
   std::array<double, 3> region_velocity() const {
     const LAMMPS_NS::Region* const region =
         this->idregion ? this->domain->get_region_by_id(this->idregion) : nullptr;

@@ -39,8 +39,8 @@ class AnyLaw {
                                       const ImpactOutcome& impact) const = 0;
 };
 
-// Returns whether a history belongs to a law. Compares the names of the values too, because a law
-// has the same name with and without adhesion.
+// Returns whether a history belongs to a law. Also compares the names of the values, because a law
+// has the same name with and without adhesion, but other values.
 inline bool is_state_of(const AnyState& state, const AnyLaw& law) {
   return state.law == law.name() && state.names == law.state_names();
 }
@@ -56,7 +56,7 @@ class States {
   }
 
  private:
-  nb::object kept_;
+  nb::object kept_;  // keeps the State objects alive
   std::vector<AnyState*> given_;
   std::vector<std::array<double, AnyState::capacity>> untouched_;
 };

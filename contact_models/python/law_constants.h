@@ -50,7 +50,7 @@ typename Law::Parameters parse_constants(const MaterialPair& pair, const nb::dic
       throw std::invalid_argument(name + " is " + nb::cast<std::string>(nb::repr(value)) +
                                   "; it must be a number [" + known->unit + "]");
     const double number = constants.*(known->value);
-    if (std::isnan(number))  // refuse NaN, because `validate` takes it for a missing constant
+    if (std::isnan(number))  // reject NaN, because for `validate` NaN marks a missing constant
       raise_if(Complaint::about(name, number, allowed_values(*known)),
                std::string(Law::name) + ": ");
   }

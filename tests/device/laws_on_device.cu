@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Kernels that call every normal and tangential law. The host builds the tables; the device reads
-// them.
-// `./run lint` compiles this file with clang for the device, without generating code.
+// Kernels that call every normal and tangential law. The host builds the tables of the laws; the
+// device reads them. `./run lint` compiles this file with clang for the device, without generating
+// code.
 #include "device_stubs.h"
 // Include the stubs before the laws.
 #include "all_laws.h"

@@ -93,8 +93,8 @@ TEST_CASE_TEMPLATE("plastic work never falls on a million random steps", Law, Jk
   }
 }
 
-// Forming a contact releases energy, so its first energy is negative. The energy of a contact that
-// breaks is lost, so it is positive.
+// Separated bodies have no contact energy. At first touch, the energy of the contact is negative,
+// and the difference is lost. When the contact breaks, its energy is positive, and is lost, too.
 TEST_CASE_TEMPLATE("a contact that forms or breaks loses energy", Law, Jkr, ThorntonNing1998,
                    Luding2008, Edinburgh2014, WRAPPED) {
   for (const auto& constants : cases<Law>()) {
@@ -112,8 +112,8 @@ TEST_CASE_TEMPLATE("a contact that forms or breaks loses energy", Law, Jkr, Thor
 
 // While the bodies are in contact, the energies grow by the work of the force. The tolerance is
 // 1e-5 of the largest energy: the trapezoidal rule with 4000 steps has its largest error near
-// pull-off, where the slope is infinite. If the force of first loading jumps, it is 3e-3, because
-// the rule misses half a step of the jump.
+// pull-off, where the slope is infinite. If the force of first loading jumps, the tolerance is
+// 3e-3, because the rule misses half a step of the jump.
 TEST_CASE_TEMPLATE("energies grow by the work of the force", Law, Jkr, ThorntonNing1998, Luding2008,
                    Edinburgh2014, WRAPPED) {
   std::mt19937 random(9);
@@ -144,8 +144,8 @@ TEST_CASE_TEMPLATE("energies grow by the work of the force", Law, Jkr, ThorntonN
   }
 }
 
-// The polynomial for weak adhesion and the closed form meet at b = x^(3/4). 4e-15: round-off of w^4
-// and of the polynomial.
+// The equation is w^4 - b w = x. A polynomial for weak adhesion and a closed form meet at b =
+// x^(3/4). The tolerance of 4e-15 is the round-off of w^4 and of the polynomial.
 TEST_CASE("the root of the JKR equation solves it for any adhesion") {
   for (double x = 1e-12; x < 1; x *= 3)
     for (double e = 0; e < 4; e += 0.01) {

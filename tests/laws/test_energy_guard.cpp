@@ -79,9 +79,10 @@ TEST_CASE("the laws whose fits can lose plastic work are guarded") {
   REQUIRE(guarded<Brake2012>());
 }
 
-// The strengths reach a third of the modulus, the upper limit of solids. Their steps are small
-// where the decrease of plastic work of a law vanishes. The tolerance is 1e-12 of the loading
-// work: plastic work is a difference of two works, which tables keep to 3e-14.
+// The yield strengths reach a third of the modulus, the upper limit of solids. Above 1e-3 of the
+// modulus, their steps are small: in this range, the decrease of plastic work of some fits
+// vanishes. The tolerance is 1e-12 of the loading work, because plastic work is the difference of
+// two works, which tables store to 3e-14.
 TEST_CASE_TEMPLATE("the energy guard lets no plastic work fall", Law, ALL_LAWS) {
   if constexpr (std::is_same_v<typename Law::State, LargestOverlap::State>) {
     int tested = 0;

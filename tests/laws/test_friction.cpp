@@ -52,9 +52,10 @@ class RandomMotion {
   std::array<double, 5> amplitude_, frequency_, phase_;
 };
 
-// Independent solution: memory diagram of a Hertzian contact with F = z^(3/2), in two tangential
-// dimensions. z is 1 at the reference load. Each cell of a grid of z stores its tangential
-// traction, and each step searches the cells from the edge of the contact.
+// Independent solution: memory diagram of a Hertzian contact in two tangential dimensions. The
+// normal force is F = z^(3/2), with an overlap z that is 1 at the reference load. Each cell of a
+// grid of z stores its tangential traction, and each step searches the cells from the edge of the
+// contact.
 class DenseDiagram {
  public:
   static constexpr int cells = 8000;
@@ -131,7 +132,7 @@ PathResult follow_random_path(const Tangential& tangential, unsigned seed, doubl
   double sx = 0, sy = 0, turned = 0;
   for (int step = 0; step < steps; ++step) {
     const double time = duration * step / steps;
-    const double growth = 1 + 0.3 * time / duration;  // yields repeatedly
+    const double growth = 1 + 0.3 * time / duration;  // the contact yields again and again
     const double overlap = mean_overlap * growth * (1 + 0.05 * depth(time));
     const Response response = normal_law.respond(radius, overlap, normal_state);
     const NormalLoad load{std::max(0.0, response.force),
@@ -189,8 +190,8 @@ TEST_CASE("partial slip with many rings is the dense memory diagram of an elasti
 TEST_CASE_TEMPLATE("friction never creates energy, and Coulomb's limit holds", Normal, Hertz,
                    Thornton, Universal, Mdr, KogutEtsion) {
   // The tolerance of the friction work of a step is relative to the largest stored energy. The
-  // trapezoidal rule has an error of third order in the step, and merging rings change the force
-  // slightly within a step.
+  // trapezoidal rule has an error of third order in the step, and merging rings slightly changes
+  // the force within a step.
   const auto check = [](const auto& law, double tolerance) {
     for (unsigned seed = 0; seed < 10; ++seed)
       for (const double amplitude : {0.3, 2.0}) {
@@ -256,10 +257,11 @@ TEST_CASE_TEMPLATE("a pair that tumbles at constant overlap keeps its force", La
 
 TEST_CASE_TEMPLATE("a body that oscillates obliquely about another keeps no force", Law,
                    Incremental, PartialSlip<8>) {
-  // The host takes the normal at the end of the step. Back at the start, the force is zero, because
-  // the path encloses no area and nothing slides. After 10 oscillations, the force is below 1e-6 of
-  // the largest one; without the tangential part of the separation, it would be 0.09. The merger of
-  // rings is a small slip: 1e-3, set after the first run, which gave 4e-4.
+  // The host passes the normal at the end of the step. When the body is back at the start, the
+  // force is zero, because the path encloses no area and nothing slides. After 10 oscillations, the
+  // force is below 1e-6 of the largest force; without the tangential part of the separation, it
+  // would be 0.09. With PartialSlip, the limit is 1e-3, because merging rings acts as a small slip.
+  // This limit was set after the first run, which gave 4e-4.
   const Law law(100, 4);
   typename Law::State state;
   const NormalLoad load{1, 5};

@@ -189,9 +189,9 @@ TEST_CASE(
 }
 
 TEST_CASE("the cylinder laws' Lambert function is the root wherever they ask") {
-  // t ranges from 2 - ln 2, below which the law continues by its tangent, to the logarithm of any
-  // ratio of doubles. The root solves w - ln w = t to round-off. The slope of w - ln w is 1/2 or
-  // more there, so w is accurate, too.
+  // t ranges from 2 - ln 2, below which the law continues along a tangent, to the logarithm of the
+  // largest ratio of doubles. The root w solves w - ln w = t to round-off. In this range, the slope
+  // of w - ln w is at least 1/2, so w is accurate, too.
   for (double t = 2 - std::log(2.0); t < 1500; t *= 1.001) {
     const double w = lambert_root(t);
     REQUIRE(w > 1);

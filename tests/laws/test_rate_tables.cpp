@@ -104,7 +104,7 @@ TEST_CASE_TEMPLATE("a law at a rate factor is the law of the stronger bodies", L
   }
 }
 
-// Also with interpolation, the energies change by the work of the force along a path. The tolerance
+// With interpolation, too, the energies change by the work of the force along a path. The tolerance
 // is 1e-6 of the loading work, the error of the trapezoidal rule for smooth forces.
 TEST_CASE_TEMPLATE("a law at a rate factor keeps the energy balance", Law, Universal, Mdr,
                    JacksonGreen, Thornton) {
