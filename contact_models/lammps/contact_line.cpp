@@ -66,8 +66,8 @@ Complaint read_tangential(std::vector<std::string>& models, TangentialLine& line
   auto end = at + 2;
   const std::string friction = end != models.end() ? *end++ : "";
   if (!to_number(friction, line.friction) || !(line.friction >= 0))
-    return Complaint("after `tangential " + name + "` comes `" + friction +
-                     "`; it must be the coefficient of friction, 0 or more");
+    return Complaint("`tangential " + name + "` is followed by `" + friction +
+                     "`; give the coefficient of friction, 0 or more");
   if (name == PartialSlip<>::name && end != models.end() && *end == "rings") {
     const std::string rings = ++end != models.end() ? *end++ : "";
     double number = 0;
@@ -131,8 +131,8 @@ Complaint ContactLine::read(const std::vector<std::string>& line) {
   } else {
     const std::string second = next();
     if (!to_number(first, body.youngs_modulus) || !to_number(second, body.poissons_ratio))
-      return Complaint("after the law comes `" + first + ' ' + second +
-                       "`; it must be Young's modulus [Pa] and Poisson's ratio, `body FILE`, "
+      return Complaint("the law is followed by `" + first + ' ' + second +
+                       "`; give Young's modulus [Pa] and Poisson's ratio, `body FILE`, "
                        "`rigid`, or `mixed`");
   }
   std::set<std::string> given;
@@ -158,7 +158,7 @@ Complaint ContactLine::read(const std::vector<std::string>& line) {
   double restitution = 0;
   if (is_restitution(models) && to_number(viscous, restitution) && restitution > 1)
     return Complaint("{viscous} is " + viscous +
-                     "; for this damping model it is a restitution, 0 to 1");
+                     "; with this damping model it must be a restitution, 0 to 1");
   return {};
 }
 

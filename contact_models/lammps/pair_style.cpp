@@ -144,8 +144,8 @@ void PairStyle::init_style() {
                "use `units si`, `cgs`, `micro`, `nano` or `lj`");
   if (force->pair_match("^gran", 0, 1) != force->pair_match("^gran", 0, 2))
     error->all(FLERR,
-               "granular/plastigran: `pair_style hybrid` has a second granular style, and LAMMPS "
-               "stores the contact histories of one; use one granular style for all atom types");
+               "granular/plastigran: `pair_style hybrid` has a second granular style, but LAMMPS "
+               "stores contact histories for only one; use one granular style for all atom types");
   if (update->whichflag == 2)
     error->all(FLERR,
                "granular/plastigran: `minimize` would change the contact history in every trial "

@@ -201,7 +201,7 @@ template <class Law>
 std::shared_ptr<const RuntimeLaw> make_runtime_law(const ContactLine& line, const Body& one,
                                                    const Body& other, Complaint& complaint) {
   typename Law::Parameters constants;
-  complaint = is_cylinder<Law> ? Complaint("the law is for cylinders, and LAMMPS has spheres")
+  complaint = is_cylinder<Law> ? Complaint("the law is for cylinders; use a law for spheres")
                                : read_constants<Law>(line, constants);
   for (const Body* const body : {&one, &other})
     if (complaint.empty()) complaint = validate(*body);

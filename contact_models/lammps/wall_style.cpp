@@ -12,7 +12,7 @@ WallLine::WallLine(LAMMPS_NS::LAMMPS* lammps, int count, char** words)
     : lammps_(lammps), command_("fix " + std::string(count > 2 ? words[2] : "")) {
   LAMMPS_NS::Error* const error = lammps->error;
   if (count < 7 || std::strcmp(words[3], "granular") != 0)
-    error->all(FLERR, "{}: after the style comes `granular LAW E nu ...`", command_);
+    error->all(FLERR, "{}: the style must be followed by `granular LAW E nu ...`", command_);
   PairStyle* const pair = PairStyle::of(lammps);
   if (!pair)
     error->all(FLERR,
@@ -21,7 +21,10 @@ WallLine::WallLine(LAMMPS_NS::LAMMPS* lammps, int count, char** words)
                command_);
   line_ = pair->read({words + 4, words + count}, command_);
   if (line_.mixed)
-    error->all(FLERR, "{}: a wall has one body; give `E nu`, `body FILE` or `rigid`", command_);
+    error->all(FLERR,
+               "{}: `mixed` is only for pairs of atom types; give the body of the wall by `E nu`, "
+               "`body FILE` or `rigid`",
+               command_);
   const NormalModel::Laws all = laws();
   const double shear_modulus = all.front()->bodies.shear_modulus_eff;
   const auto tangential = std::find(line_.models.begin(), line_.models.end(), "tangential");
@@ -30,8 +33,8 @@ WallLine::WallLine(LAMMPS_NS::LAMMPS* lammps, int count, char** words)
   for (const auto& law : all)
     if (derived && std::abs(law->bodies.shear_modulus_eff - shear_modulus) > 1e-9 * shear_modulus)
       error->all(FLERR,
-                 "{}: the atom types have different shear moduli, so `NULL` does not give the "
-                 "tangential stiffness; give a number",
+                 "{}: the atom types have different shear moduli, but a wall has one tangential "
+                 "stiffness; give a number instead of `NULL`",
                  command_);
   words_.assign(words, words + 4);
   const auto placeholder = line_.placeholder(shear_modulus);

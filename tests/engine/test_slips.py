@@ -73,27 +73,27 @@ def test_a_good_deck_gives_no_warning(changes, tmp_path):
     [
         (
             {"youngs_modulus": "210", "yield_strength": "2.5e8"},
-            "youngsModulus is 210 [Pa], as soft as a gel; meant in GPa it is 2.1e+11, meant in MPa "
-            "it is 2.1e+08 (atom type 1)",
+            "youngsModulus is 210 [Pa], as soft as a gel; if it is in GPa, write 2.1e+11; if it is "
+            "in MPa, write 2.1e+08 (atom type 1)",
         ),
         (
             {"youngs_modulus": "2.1e5", "yield_strength": "250"},
-            "youngsModulus is 210000 [Pa], as soft as a gel; meant in MPa it is 2.1e+11 (atom "
-            "type 1)",
+            "youngsModulus is 210000 [Pa], as soft as a gel; if it is in MPa, write 2.1e+11 "
+            "(atom type 1)",
         ),
         (
             {"yield_strength": "250"},
-            "yieldStrength is 250 [Pa], less than 2e-5 of youngsModulus 7e+10; meant in MPa it is "
-            "2.5e+08 (atom type 1)",
+            "yieldStrength is 250 [Pa], less than 2e-5 of youngsModulus 7e+10; if it is in MPa, "
+            "write 2.5e+08 (atom type 1)",
         ),
         (
             {"yield_strength": "3e10"},
-            "yieldStrength is 3e+10 [Pa], more than a third of youngsModulus 7e+10: no solid",
+            "yieldStrength is 3e+10 [Pa], more than a third of youngsModulus 7e+10; no solid",
         ),
         (
             {"units": "cgs", "youngs_modulus": "210"},
-            "youngsModulus is 210 [dyn/cm2], as soft as a gel; meant in GPa it is 2.1e+12, meant "
-            "in MPa it is 2.1e+09 (atom type 1)",
+            "youngsModulus is 210 [dyn/cm2], as soft as a gel; if it is in GPa, write 2.1e+12; if "
+            "it is in MPa, write 2.1e+09 (atom type 1)",
         ),
         (
             {"more": property_global("yieldPresureFactor", "2.0 2.0")},

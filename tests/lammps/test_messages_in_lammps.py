@@ -30,7 +30,7 @@ def script(lines: str) -> str:
     ("lines", "message"),
     [
         (line(f"thorton {BODY}"), "there is no law `thorton`; choose one of"),
-        (line("thornton 7e10 soft"), "after the law comes `7e10 soft`; it must be Young's modulus"),
+        (line("thornton 7e10 soft"), "the law is followed by `7e10 soft`; give Young's modulus"),
         (line("thornton body unobtainium"), "body: there is no file unobtainium; give the path"),
         (line("thornton 7e10 0.7 yield_strength 3e8"), "poissons_ratio is 0.7"),
         (line("thornton 7e10 0.3"), "thornton: yield_strength"),
@@ -39,9 +39,9 @@ def script(lines: str) -> str:
         (line(f"thornton {BODY} viscous -1"), "viscous is -1; it must be a number, 0 or more"),
         (
             line(f"thornton {BODY} viscous 2") + " damping tsuji",
-            "viscous is 2; for this damping model it is a restitution, 0 to 1",
+            "viscous is 2; with this damping model it must be a restitution, 0 to 1",
         ),
-        (f"{PLAIN} tangential partial_slip", "it must be the coefficient of friction, 0 or more"),
+        (f"{PLAIN} tangential partial_slip", "give the coefficient of friction, 0 or more"),
         (f"{PLAIN} tangential partial_slip 0.5 rings 9", "rings is `9`; it must be a whole number"),
         (
             f"{PLAIN} tangential incremental 0.5 twisting marshall",
@@ -57,7 +57,7 @@ def script(lines: str) -> str:
         (f"{PAIR}pair_coeff * *", "pair_coeff: give atom types, law and body"),
         (line(f"jkr {BODY}"), "jkr: surface_energy"),
         (line(f"universal {BODY} yielding cube"), "yielding is cube; it must be"),
-        (line(f"lim_stronge {BODY}"), "the law is for cylinders, and LAMMPS has spheres"),
+        (line(f"lim_stronge {BODY}"), "the law is for cylinders; use a law for spheres"),
         (line(f"thornton {BODY} adhesion glue"), "adhesion is glue; it must be off or jkr"),
         (line(f"thornton {BODY} adhesion jkr"), "thornton: surface_energy is missing"),
         (line(f"jkr {BODY} adhesion jkr"), "not supported, because the law has its own adhesion"),
@@ -65,13 +65,16 @@ def script(lines: str) -> str:
         (f"{PAIR}pair_coeff 1 2 thornton mixed {FRICTION}", "has no body; give `pair_coeff"),
         (f"{TWO}universal {BODY} {FRICTION}", "types 1 and 2 have different laws, constants or"),
         (f"{TWO}thornton {BODY} tangential mindlin NULL 1.0 0.5", "types 1 and 2 have different"),
-        (f"{GOOD}{WALL}hertz", "fix wall/gran/plastigran: after the style comes `granular LAW"),
+        (f"{GOOD}{WALL}hertz", "fix wall/gran/plastigran: the style must be followed by `granular"),
         (f"{WALL}hertz rigid {FRICTION} xplane 0 NULL", "the bodies of the particles are missing"),
-        (f"{GOOD}{WALL}hertz mixed {FRICTION} xplane 0 NULL", "a wall has one body; give"),
+        (
+            f"{GOOD}{WALL}hertz mixed {FRICTION} xplane 0 NULL",
+            "`mixed` is only for pairs of atom types; give",
+        ),
         (
             f"{TWO}thornton 9e10 0.3 yield_strength 3e8 {FRICTION}\n"
             f"{WALL}thornton rigid {FRICTION} xplane 0 NULL",
-            "the atom types have different shear moduli, so `NULL` does not give the tangential",
+            "the atom types have different shear moduli, but a wall has one tangential stiffness",
         ),
         (
             "pair_style hybrid/overlay granular granular/plastigran\n"

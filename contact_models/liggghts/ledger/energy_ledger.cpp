@@ -119,8 +119,9 @@ void EnergyLedger::report_change_of_contacts() const {
   const double energy = sum_over_ranks(contact_energy(), world);
   if (comm->me != 0 || std::abs(change) <= 1e-6 * std::abs(energy)) return;  // round-off only
   std::ostringstream text;
-  text << "energy_ledger: between the runs the deck changed the energy of contacts by " << change
-       << ' ' << unit_in_deck(update->unit_style, "J") << " (part of the entry inserted)\n";
+  text << "energy_ledger: since the last run, the deck changed the energy of contacts by " << change
+       << ' ' << unit_in_deck(update->unit_style, "J")
+       << ". The term `inserted` includes this change\n";
   print(lmp, text.str());
 }
 

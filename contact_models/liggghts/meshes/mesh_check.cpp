@@ -21,8 +21,9 @@ std::string sentence(MeshCheck::Problem problem, const MeshCheck::Place& place) 
   else
     text << " touches triangles " << place.triangles[0] << " and " << place.triangles[1]
          << " of one smooth surface, in directions " << place.angle
-         << " degrees apart, but has one contact with it. It may never come to rest there. Use a "
-            "feature_angle below the angle between neighboring facets to give each its own contact";
+         << " degrees apart. The surface gives only one contact, so the particle may never come to "
+            "rest there. For one contact per facet, use a feature_angle below the angle between "
+            "neighboring facets";
   return text.str();
 }
 

@@ -152,7 +152,8 @@ std::vector<std::string> DeckProperties::doubts(const std::vector<Body>& bodies,
       std::ostringstream text;
       text << "cohesionEnergyDensity is " << pull << " [" << unit("Pa")
            << "], above the yield pressure " << push
-           << ". cohesion sjkr or sjkr2 pulls these bodies into each other";
+           << ", so cohesion sjkr or sjkr2 pulls these bodies into each other. Lower "
+              "cohesionEnergyDensity";
       sentences.push_back(about_types(text.str(), type, other));
     }
   return sentences;

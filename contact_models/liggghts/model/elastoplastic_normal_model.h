@@ -147,8 +147,8 @@ class ElastoplasticNormalModel : public NormalModelSetup<Law> {
     return plastigran::Complaint(
         "a particle of radius " +
         std::to_string(contact.is_wall ? contact.radi : std::min(contact.radi, contact.radj)) +
-        " is smaller than all particles before the run, for which the range of adhesion was set. "
-        "Do `run 0` after particles of new sizes were created");
+        " is smaller than all particles at the start of the run. The range of adhesion was "
+        "computed for these particles. After you create smaller particles, give `run 0`");
   }
 
   // Returns the state before this step. The history contains this state until the end of the step.

@@ -47,8 +47,8 @@ class HostHertz : public LIGGGHTS::ContactModels::NormalModel<LIGGGHTS::ContactM
                                      std::pair(heating, "heating_normal_hertz")})
       if (used)
         stop(lmp, std::string("model hertz: ") + name +
-                      " is not supported beside a tangential law. Remove it, or use `tangential "
-                      "history`");
+                      " is not supported with a tangential law of this plugin. Remove it, or use "
+                      "`tangential history`");
   }
 
   void connectToProperties(PropertyRegistry& registry) override {

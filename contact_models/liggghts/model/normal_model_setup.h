@@ -192,9 +192,9 @@ class NormalModelSetup : public NormalModelBase {
     std::ostringstream text;
     if (share > 0.2)
       text << "adhesion keeps the smallest particles, of radius " << smallest
-           << ", in contact to a "
-           << "separation of " << share << " times their size; at most 0.2 is allowed. Reduce "
-           << "surfaceEnergy, or raise youngsModulus";
+           << ", in contact up to a separation of " << share << " times their "
+           << (owner_.is_wall() ? "radius" : "diameter")
+           << "; the limit is 0.2. Reduce surfaceEnergy, or raise youngsModulus";
     else if (owner_.is_wall() && neighbor->skin < distance)
       text << "the neighbor skin is " << neighbor->skin << "; it must be at least " << distance
            << ", the separation at which a contact with the wall breaks. Raise the skin in the "
@@ -209,8 +209,8 @@ class NormalModelSetup : public NormalModelBase {
     if (comm->me == 0) {
       if (!reported_) report_unused(deck, mixed.has_foreign);
       if (!mixed.text.empty() && mixed.first == owner_.name())
-        checks_.warn_once("lines have different normal models: " + mixed.text +
-                          ". Use one model in all lines, unless this is intended");
+        checks_.warn_once("the pair_style and wall lines have different normal models: " +
+                          mixed.text + ". Use one model in all lines, unless this is intended");
     }
     reported_ = true;
   }

@@ -24,18 +24,15 @@ inline Complaint implausible(const Body& body, double pascal) {
   std::ostringstream text;
   if (modulus < 1e6 * pascal) {
     text << "{youngs_modulus} is " << modulus << " [Pa], as soft as a gel";
-    const char* stop = "; ";
     for (const auto& [unit, in_pascal] : {std::pair("GPa", 1e9), std::pair("MPa", 1e6)})
-      if (modulus * in_pascal < 2e12) {  // above the modulus of diamond, 1.2e12 Pa
-        text << stop << "meant in " << unit << " it is " << modulus * in_pascal * pascal;
-        stop = ", ";
-      }
+      if (modulus * in_pascal < 2e12)  // above the modulus of diamond, 1.2e12 Pa
+        text << "; if it is in " << unit << ", write " << modulus * in_pascal * pascal;
   } else if (modulus < rigid && strength < rigid && strength > modulus / 3) {
     text << "{yield_strength} is " << strength << " [Pa], more than a third of {youngs_modulus} "
-         << modulus << ": no solid is as strong; one of them may be in another unit";
+         << modulus << "; no solid is that strong, so check the units of both";
   } else if (modulus < rigid && strength < 2e-5 * modulus) {
     text << "{yield_strength} is " << strength << " [Pa], less than 2e-5 of {youngs_modulus} "
-         << modulus << "; meant in MPa it is " << 1e6 * pascal * strength;
+         << modulus << "; if it is in MPa, write " << 1e6 * pascal * strength;
   }
   return Complaint(text.str());
 }

@@ -51,7 +51,7 @@ struct UniversalCurve {
     return pair.yield_pressure <= 3 * pair.yield_strength;
   }
   static constexpr const char* admissibility =
-      "{yield_pressure_factor} of the weaker body must be at most 3; the fit has 1.5 to 2.1";
+      "{yield_pressure_factor} of the weaker body must be at most 3; the fit covers 1.5 to 2.1";
 
   // Fitted constants, printed by `python -m plastigran.validation.spheres.fit`.
   static constexpr double q_1 = 6.791, q_2 = 0.3561, q_3 = 0.01798;

@@ -15,7 +15,7 @@ inline std::string range_warning(const std::string& range, double contacts, doub
   // Elastic contacts are reported without a count: their state does not record whether they were
   // counted before.
   if (contacts == 0)
-    text << "contacts, still elastic, exceed";
+    text << "contacts that have not yielded exceed";
   else
     text << contacts << " contacts have exceeded";
   text << " the validity range of the law (" << range << "). The largest overlap was " << furthest
