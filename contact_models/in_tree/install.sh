@@ -11,7 +11,7 @@ set -eu
 
 fail() { printf 'ERROR: %s\n' "$*" >&2; exit 1; }
 
-[ $# = 1 ] || fail "usage: $0 DIR, the top folder of a LIGGGHTS source tree"
+[ $# = 1 ] || fail "usage: $0 DIR, where DIR is the top folder of a LIGGGHTS source tree"
 tree=$1
 for file in Make.sh contact_models.h normal_model_base.h version_liggghts.txt; do
   [ -f "$tree/src/$file" ] ||

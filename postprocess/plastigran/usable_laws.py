@@ -46,7 +46,8 @@ def choose_laws(names: Iterable[str], shape: str, bodies: Iterable[Material] = (
     omitted = sorted(set(laws_for(shape)) - set(usable) - set(names))
     if "all" in names and omitted:
         warnings.warn(
-            f"left out, because the material lacks their constants: {', '.join(omitted)}",
+            "some laws are left out, because the material lacks their constants: "
+            + ", ".join(omitted),
             stacklevel=2,
         )
     chosen = (usable if name == "all" else [name] for name in names)

@@ -68,7 +68,10 @@ def test_wrong_files_are_refused(text, message, read):
     ("arguments", "message"),
     [
         (([], []), "contains no drop"),
-        (([1.0], [0.5], pg.material("steel")), "ball is steel and the plate is given"),
+        (
+            ([1.0], [0.5], pg.material("steel")),
+            "ball is steel and plate is a rigid plate, so neither",
+        ),
         (([1.0, 2.0], [0.5]), "2 speeds and 1 restitutions"),
         (([-1.0], [0.5]), "speed is -1"),
     ],

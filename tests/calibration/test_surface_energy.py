@@ -121,7 +121,10 @@ SMALL, YIELDING = ["--radius", "1e-6"], ["--law", "thornton_ning_1998"]
         ([*SMALL, *FORCE, "--law", "hertz"], "law hertz has no surface energy. Use one"),
         ([*SMALL, *FORCE, "--law", "luding_2008"], "law luding_2008 has no surface energy"),
         ([*SMALL, *FORCE, *YIELDING], "law thornton_ning_1998 yields, so it needs --yield"),
-        ([*SMALL, *FORCE, "--load", "1"], "load is 1; it matters only to pull_off_force, because"),
+        (
+            [*SMALL, *FORCE, "--load", "1"],
+            "load is 1, but has no effect, because jkr does not yield",
+        ),
         ([*SMALL, *SPEED, "--load", "1"], "--load is 1, but has no effect without"),
         (
             [*SMALL, *FORCE, *YIELDING, "--yield", "1e7", "--load", "1"],
@@ -132,7 +135,7 @@ SMALL, YIELDING = ["--radius", "1e-6"], ["--law", "thornton_ning_1998"]
             ["--yield", "1e7", "--radius-other", "1"],
             "--radius-other is 1, but has no effect without --pull",
         ),
-        (["--yield", "1e7", *YIELDING], "it must be one of the laws for spheres that yield"),
+        (["--yield", "1e7", *YIELDING], "it must be a law for spheres with yield, but without"),
         ([], "no measurement given; exactly one of --yield, --hardness"),
         (["--yield", "1e7", "--hardness", "20"], "--yield and --hardness given; exactly one of"),
     ],

@@ -64,7 +64,7 @@ def test_drops_have_a_figure(capsys, tmp_path, drops):
     numbers = json.loads(capsys.readouterr().out)
     assert numbers["law"] == "thornton"
     assert numbers["source"].startswith(
-        "3 drops of the metal on a rigid plate, from the law thornton"
+        "3 drops of the metal on a rigid plate, by the law thornton"
     )
     assert figure.read_bytes().startswith(b"\x89PNG")
 

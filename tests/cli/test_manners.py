@@ -103,7 +103,8 @@ def test_impact_by_theory_needs_no_engine(tmp_path, monkeypatch, capsys):
     line = ["impact", "--law", "thornton", "universal", "--speed", "0.02", "0.2", "--theory"]
     line += ["--output", str(tmp_path / "out")]
     assert main([*line, "--jobs", "2"]) == 1
-    assert "--jobs is 2, but --theory starts no LIGGGHTS. Remove --jobs" in capsys.readouterr().err
+    message = "--jobs is 2, but --theory does not start LIGGGHTS. Remove --jobs"
+    assert message in capsys.readouterr().err
     assert main([*line, "--dry-run"]) == 1
     assert "--theory needs no LIGGGHTS" in capsys.readouterr().err
     assert main([*line, "--json"]) == 0

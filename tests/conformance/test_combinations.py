@@ -288,7 +288,7 @@ def test_the_dashpot_of_hertz_is_counted(tmp_path):
 def test_hertz_beside_a_tangential_law_refuses_what_it_cannot_do(tmp_path):
     contact = Contact("tangential partial_slip", law="hertz")
     for option, problem in {
-        "computeElasticPotential on": "computeElasticPotential is not supported beside a tangent",
+        "computeElasticPotential on": "computeElasticPotential is not supported with a tangent",
         "adhesion jkr": "adhesion jkr is not available with this model",
     }.items():
         with pytest.raises(EngineError, match=f"model hertz: {problem}"):

@@ -162,7 +162,7 @@ def test_impacts_out_of_reach_are_refused():
         evolve(glass("lim_stronge"), mass=-1)
     with pytest.raises(ValueError, match=r"would overlap by .* effective radii"):
         glass("lim_stronge", 5.0, 2e-6)
-    with pytest.raises(ValueError, match=r"body_thickness is 0.0001 m; .* radius 0.005 m it is"):
+    with pytest.raises(ValueError, match=r"body_thickness is 0.0001 m; .* with radius 0.005 m"):
         glass("lim_stronge", 0.1, 5e-3)
 
 

@@ -122,7 +122,7 @@ def ledger_checks(series: pd.DataFrame, limit: float = LEDGER) -> list[Check]:
             LEDGER_CHECKS[0],
             series["drift"].abs().max() / total,
             limit,
-            "bound for impacts with the largest integration error at this time step",
+            "largest integration error of impacts at this time step",
         ),
         Check(
             LEDGER_CHECKS[1],

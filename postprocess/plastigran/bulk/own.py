@@ -96,8 +96,8 @@ def own_places(source: DeckSource, folder: Path) -> dict[str, object]:
         output = os.path.relpath(folder, source.path.parent)
     if misread(output):
         raise ValueError(
-            f"the folder of results is {output!r}, but {source.path.name} reads it as "
-            "${output}, and LIGGGHTS misreads white space, % and * there. Choose another folder"
+            f"the folder of results is {output!r}; it must not contain white space, % or *, which "
+            f"LIGGGHTS misreads in ${{output}} of {source.path.name}. Choose another folder"
         )
     return {"inputs": inputs, "output": output}
 

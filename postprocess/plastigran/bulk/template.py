@@ -68,10 +68,12 @@ def write_deck(
         problem = f"{law!r} is not a law for spheres of {material.name}"
         if law in laws.LAWS and (has_surface_energy(law) or not has_constants(law)):
             problem = (
-                f"the deck has no constants for {law!r}, which belong to two bodies in contact"
+                f"law {law!r} needs constants of the pair of bodies, which the deck does not define"
             )
         if law == "hertz":
-            problem = "hertz is LIGGGHTS' own model without energy balance, which the deck needs"
+            problem = (
+                "hertz is LIGGGHTS' own model and has no energy balance, but the deck needs it"
+            )
         raise ValueError(f"{problem}. Choose one of {', '.join(choices)}")
     source = inputs_folder() / "template"
     text = (source / "deck.in").read_text()
@@ -120,9 +122,9 @@ def range_note(law: str, material: Material | str | Path, radius: float) -> str:
     covering = [name for name in _choices(material) if excess(name) <= 1]
     remedy = f"one of {', '.join(covering)}, or " if covering else ""
     return (
-        f"a fall in this deck reaches {FALL_SPEED:g} m/s, at which grains of {material.name} "
-        f"overlap {excess(law):.2g} times as far as the range of {law} allows. Use {remedy}a "
-        "stiffer and stronger material"
+        f"grains of this deck fall at up to {FALL_SPEED:g} m/s. With {material.name}, their "
+        f"overlap then is {excess(law):.2g} times the largest valid overlap of {law}. "
+        f"Use {remedy}a stiffer and stronger material"
     )
 
 

@@ -199,8 +199,8 @@ def _check_law(law: str) -> None:
     names = [name for name in laws_for("sphere") if laws.LAWS[name].yields]
     if law not in names:
         raise ValueError(
-            f"law is {law!r}; it must be one of the laws for spheres that yield, without adhesion "
-            f"and given stiffnesses: {', '.join(names)}"
+            f"law is {law!r}; it must be a law for spheres with yield, but without adhesion and "
+            f"without stiffnesses as constants: {', '.join(names)}"
         )
 
 

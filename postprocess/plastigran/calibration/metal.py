@@ -110,12 +110,12 @@ class CalibratedMetal:
     @property
     def remark(self) -> str:
         """Source of the strength as a sentence, for the header of a material file."""
-        return f"Yield strength from {self.source}; 95 % {self._interval()} Pa."
+        return f"Yield strength from {self.source}; 95 % interval {self._interval()} Pa."
 
     def __str__(self) -> str:
         """Return a summary as readable text."""
         lines = {
-            "yield strength": f"{self.yield_strength:.4g} Pa, 95 % {self._interval()} Pa",
+            "yield strength": f"{self.yield_strength:.4g} Pa, 95 % interval {self._interval()} Pa",
             "from": self.source,
             "law": self.law,
             "expected error": self.expected_error,

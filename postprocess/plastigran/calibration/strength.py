@@ -94,8 +94,8 @@ def from_hardness(hardness: Hardness, plastic_modulus: float, youngs_modulus: fl
     conversion = SCALES[hardness.scale].source
     converted = f" = {hardness.vickers:.0f} HV ({conversion})" if conversion else ""
     source = (
-        f"{hardness}{converted}, flow stress H/{CONSTRAINT_FACTOR} within {hardness.scatter:.0%} "
-        "(reading, conversion, constraint factor 2.6 to 3.0)"
+        f"{hardness}{converted}, flow stress H/{CONSTRAINT_FACTOR} with an error of "
+        f"{hardness.scatter:.0%} (reading, conversion, constraint factor 2.6 to 3.0)"
     )
     notes = [at_strain] if hardening else []
     tensile = steel_yield_strength(hardness.vickers)
@@ -145,7 +145,7 @@ def from_leeb(leeb: float | str, law: str, metal: Material, scatter: float | Non
         return Contact(law, sample, tester.ball, **body, **dented_flat(law))
 
     rate = f" at 1/s (C = {metal.rate_coefficient:g})" if metal.rate_coefficient else ""
-    source = f"{reading:g} HL{tester.name}, from the law {law}{rate}"
+    source = f"{reading:g} HL{tester.name}, by the law {law}{rate}"
     measured = [tester.restitution(reading)]
     strength = _fit(contact, [tester.speed], measured, metal, scatter, source)
     notes = [*strength.notes, DENTED_FLAT_NOTE]
@@ -178,7 +178,7 @@ def from_drops(drops: DropTest, law: str, metal: Material, scatter: float | None
     scatter = DROP_SCATTER if scatter is None else scatter
     count = len(drops.speed)
     source = f"{count} drop{'s' * (count > 1)} of {drops.ball_name} on {drops.plate_name}, "
-    source += f"from the law {law}"
+    source += f"by the law {law}"
     contact = partial(drops.contact, law)
     strength = _fit(contact, drops.speed, drops.restitution, metal, scatter, source)
     if drops.ball is None:
@@ -228,7 +228,7 @@ def _fit(
     return Strength(
         estimate.yield_strength,
         estimate.interval,
-        f"{source}, restitution within {1.96 * scatter:.1%}",
+        f"{source}, with an error of {1.96 * scatter:.1%} in restitution",
         (float(speeds[0] / fitted.yield_speed), float(speeds[-1] / fitted.yield_speed)),
         fitted,
         tuple(notes),

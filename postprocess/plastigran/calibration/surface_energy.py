@@ -155,8 +155,8 @@ def calibrate_adhesion(
     yields = laws.LAWS[law].yields
     load = read_number("load", load, _LOAD)
     if load and (not yields or pull_off_force is None):
-        reason = "not to sticking_speed" if yields else f"because {law} does not yield"
-        raise ValueError(f"load is {load:g}; it matters only to pull_off_force, {reason}")
+        reason = "applies only to pull_off_force" if yields else f"{law} does not yield"
+        raise ValueError(f"load is {load:g}, but has no effect, because {reason}. Remove load")
     material = read_material(a)
 
     def contact(surface_energy: float) -> Contact:

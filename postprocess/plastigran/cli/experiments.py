@@ -128,7 +128,7 @@ def run(experiment: type[Experiment], arguments: argparse.Namespace) -> None:
     theory, folder = getattr(arguments, "theory", False), arguments.output
     if theory and arguments.jobs:
         raise ValueError(
-            f"--jobs is {arguments.jobs}, but --theory starts no LIGGGHTS. Remove --jobs"
+            f"--jobs is {arguments.jobs}, but --theory does not start LIGGGHTS. Remove --jobs"
         )
     if theory and arguments.dry_run:
         raise ValueError(

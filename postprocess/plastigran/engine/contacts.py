@@ -100,7 +100,9 @@ def _column_names(
     if kind is None or fields is None:
         kind, _, fields = label.partition(" ")
         if kind not in ("PAIR", "WALL"):
-            raise DumpError(f"{path}: label {label!r} names no fields. Pass kind and fields")
+            raise DumpError(
+                f"{path}: label {label!r} does not name the fields. Pass kind and fields"
+            )
     try:
         return ["step", *contact_columns(kind, fields.split(), table.shape[1] - 1)]
     except DumpError as error:

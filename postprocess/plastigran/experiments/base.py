@@ -127,7 +127,7 @@ class Experiment(Case):
             ValueError: As for `study_settings`, or theory cannot replace the runs.
         """
         if not cls.has_theory:
-            raise ValueError(f"{cls.command} has no theory that can replace its runs")
+            raise ValueError(f"{cls.command} cannot be computed by theory alone. Use study()")
         settings = cls.study_settings(**settings)
         outcomes = {case: case.predict() for case in cls.cases(**settings)}
         table = pd.DataFrame(case.theory_row(outcome) for case, outcome in outcomes.items())

@@ -198,9 +198,8 @@ def line_yield(
     logarithm = 2 * log(body_thickness / radius_eff) - 2 * log(ratio) - lateral
     if logarithm < 2:
         raise ValueError(
-            f"body_thickness is {body_thickness:g} m; a line contact must be narrower than 0.6 "
-            f"of it, but with radius {radius_eff:g} m it is {2 * ratio * radius_eff:.2g} m "
-            "wide at yield"
+            f"body_thickness is {body_thickness:g} m; the contact width at yield must be below "
+            f"0.6 of it, but is {2 * ratio * radius_eff:.2g} m with radius {radius_eff:g} m"
         )
     force = 6 * pair.yield_strength * ratio * radius_eff * cylinder_length
     overlap = radius_eff * ratio**2 * logarithm

@@ -24,7 +24,9 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         "Only for dosta24. An interrupted command continues its runs. Finished runs are used again "
         "even with --force.",
     )
-    bulk.add_argument("--case", choices=("impact", "silo", "drum"), help="case, default all")
+    bulk.add_argument(
+        "--case", choices=("impact", "silo", "drum"), help="case of the benchmark, default all"
+    )
     bulk.add_argument("--grains", type=positive_integer, help="number of grains (only impact)")
     bulk.add_argument(
         "--law",

@@ -40,7 +40,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
     softness.add_argument(
         "--speedup",
         type=positive,
-        help="ratio of the softened to the original time step, instead of the factor",
+        help="ratio of the softened to the original time step, instead of --factor",
     )
     command.add_argument("--radius", type=positive, required=True, help="radius of the grains, m")
     command.add_argument(
@@ -111,8 +111,8 @@ def run(arguments: argparse.Namespace) -> None:
     )
     print(
         # The factor 1.0005 keeps the printed number from being rounded down.
-        f"  {verdict}. The law with the largest overlap reaches {SOUND_OVERLAP:g} of the radius at "
-        f"the factor {1.0005 * lowest:.4g}"
+        f"  {verdict}. The lowest acceptable factor is {1.0005 * lowest:.4g}, at which the largest "
+        f"overlap of a law is {SOUND_OVERLAP:g} of the radius"
     )
     print(
         "\nlaw                    restitution      softened  largest change  step, s  softened, s"

@@ -37,7 +37,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         help="speed of each body, m/s; two spheres close at twice this speed",
     )
     add_material(command, "aluminium_zv02")
-    command.add_argument("--wall", help="wall of a sphere: a material, default a rigid wall")
+    command.add_argument("--wall", help="material of the wall, default a rigid wall")
     add_json(command)
 
 

@@ -75,7 +75,7 @@ class CentralImpact(Experiment):
     wall: Material | None = material_field("material of the plane, or rigid", None, "_other")
     options: str | None = options_field()
     surface_energy: float | None = surface_energy_field(
-        "work of adhesion of the two bodies; it switches on 'adhesion jkr' in laws whose elastic "
+        "work of adhesion of the two bodies; switches on 'adhesion jkr' in laws whose elastic "
         "contact is Hertz'. Default, for laws that need it: the value of the material"
     )
     host: str = attrs.field(

@@ -57,8 +57,8 @@ def make(results: Results) -> Section:
         folder, {figure for figure, chart in _REPLACED.items() if chart in drawn}
     )
     missing += [
-        f"The constants of {name} are not available. Without its hardening, the error of the laws "
-        "compared with finite elements is unknown."
+        f"The constants of {name} are not available. The error of the laws compared with finite "
+        "elements depends on hardening, so it is unknown for this material."
         for name in sorted({name for entry in by_law for name in entry.unknown_materials})
     ]
     missing += damaged

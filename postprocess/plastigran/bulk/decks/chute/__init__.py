@@ -43,7 +43,7 @@ class Chute(FlowDeck):
     width: int = whole("width across the flow, in cells", 3)
     depth: int = whole("depth of the flow, in cells", 3)
     start_speed: float = number(
-        "speed at the surface, with Bagnold's profile", "m/s", 0, lower_allowed=True
+        "initial speed at the surface, with Bagnold's profile", "m/s", 0, lower_allowed=True
     )
     size_spread: float = number(
         "relative reduction of the radius of half of the grains", "-", 0, 0.3, True, True

@@ -114,8 +114,8 @@ class CoolingGas(BulkDeck):
                 "relative difference of temperature from mean-field theory / tolerance",
                 (abs(ratio) / tolerance).max(),
                 1,
-                f"{MEAN_FIELD:g} for mean field, {DEVIATIONS} standard deviations of "
-                f"{self.count} grains",
+                f"tolerance: {MEAN_FIELD:g} for mean-field theory, plus {DEVIATIONS} standard "
+                f"deviations of {self.count} grains",
             ),
             *self.ledger_checks(series),
         ]

@@ -112,6 +112,6 @@ def discharge_checks(discharge: Discharge) -> list[Check]:
             "change of the rate between the halves of the steady part, relative",
             abs(discharge.change) / discharge.rate,
             LEVEL + DEVIATIONS * discharge.change_error / discharge.rate,
-            f"the level has little influence: {LEVEL:g}, and {DEVIATIONS} standard deviations",
+            f"influence of the falling level, {LEVEL:g}, plus {DEVIATIONS} standard deviations",
         ),
     ]

@@ -185,7 +185,10 @@ def notes(table: pd.DataFrame, strain: float) -> list[str]:
     """Return a note if the sample was not freed, or was not compressed to the setting `strain`."""
     reached = table["strain"].iloc[-1]
     if isnan(reached):
-        return ["the strength was not measured, because the platen did not leave. Raise release"]
+        return [
+            "the strength was not measured, because the platen did not leave the sample. "
+            "Raise release"
+        ]
     if reached >= strain:
         return []
     return [
