@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Incremental tangential force without slip at the edge of the contact. Thornton, Cummins & Cleary
-// 2013 (Powder Technol. 233:30), eq. 18b; `mindlin_rescale/force` of LAMMPS.
+// Incremental tangential force without slip at the edge of the contact: Thornton, Cummins & Cleary
+// 2013 (Powder Technol. 233:30), eq. 18b. LAMMPS has the same law as `mindlin_rescale/force`.
 //
 //   T += 8 G* a ds              displacement increment ds
 //   T *= a_new/a_old            while the contact radius a decreases
 //   |T| <= mu F                 Coulomb
 //   U = |T|^2/(16 G* a)         stored energy
 //
-// Range: contacts that slide, or whose spring force is small. Below the angle of gross sliding, the
-// tangential restitution of an oblique elastic impact is up to 0.12 too high (docs/friction.md).
+// Range: contacts that slide, or whose tangential force is small. Below the angle of gross sliding,
+// the tangential restitution of an oblique elastic impact is up to 0.12 too high
+// (docs/friction.md).
 #pragma once
 
 #include <cmath>

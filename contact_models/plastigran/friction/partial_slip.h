@@ -1,30 +1,21 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Tangential contact with partial slip: the middle sticks and the edge slips (Cattaneo 1938,
-// Mindlin & Deresiewicz 1953). The contact is a superposition of normal contacts, in rings: Jaeger
-// 1993, Arch. Appl. Mech. 63:402; Ciavarella 1998, Int. J. Solids Struct. 35:2363; method of memory
-// diagrams, Aleshin, Bou Matar & Van Den Abeele 2015, Int. J. Solids Struct. 60:14.
+// Tangential contact with partial slip: the middle of the contact sticks, and its edge slips.
 //
-// A ring is the part of the contact area that is added while the normal force grows from F1 to F2.
-// Each ring has a vector D, its tangential force divided by its normal force, with |D| <= mu:
+// The contact is a sum of rings. A ring is the part of the contact area that is added while the
+// normal force grows from F1 to F2. Each ring has a vector D, its tangential force divided by its
+// normal force, with |D| <= mu:
 //
 //   T = sum of D (F2 - F1)                           tangential force
 //   s = sum of D (h(F2) - h(F1))                     tangential displacement
 //   h(F) = integral of dF/(8 G* a) = c F^(2/3)       with a^3 proportional to F on unloading
 //   U = integral of T(F).D dh                        stored energy, T(F) of the rings below F
 //
-// A step changes the normal force to F and adds the tangential displacement w:
+// docs/friction.md describes how a step changes the rings, and the accuracy.
 //
-//   loading     adds a ring with D = w/dh, limited to |D| = mu; w decreases by D dh
-//   unloading   removes the rings above F; w increases by their displacement
-//   slip        if a part of w remains, all rings above some force get D = mu n, with the direction
-//               n and this force such that the rings take w. If no force is low enough, the
-//               contact slides
-//   merger      merges neighboring rings if there are more than the state can store
-//
-// Range: exact for elastic spheres with many rings. With four rings, the error of the tangential
-// restitution is at most 0.008. In plastic contacts, each ring keeps the normal forces at its
-// edges; this is an assumption.
+// Sources: Cattaneo 1938 and Mindlin & Deresiewicz 1953 (partial slip); Jaeger 1993, Arch. Appl.
+// Mech. 63:402; Ciavarella 1998, Int. J. Solids Struct. 35:2363; Aleshin, Bou Matar & Van Den
+// Abeele 2015, Int. J. Solids Struct. 60:14 (rings).
 #pragma once
 
 #include <cmath>
@@ -248,10 +239,10 @@ class PartialSlip {
       return dot(difference, difference) * (width * width);
     }
 
-    // Merges two neighboring rings: the pair whose displacement changes least among the pairs that
-    // raise the energy by at most 1/1000. If there is no such pair, merges the pair that raises the
-    // energy least. A small slip then removes the added energy: every D decreases until the energy
-    // is as before.
+    // Merges two neighboring rings: among the pairs that raise the energy by at most 1/1000, the
+    // pair whose displacement changes least. If there is no such pair, merges the pair that raises
+    // the energy least. A small slip then removes the added energy: every D decreases until the
+    // energy is as before.
     PLASTIGRAN_DEVICE void merge_one() {
       int best = 0;
       double least = change(0);
@@ -285,10 +276,11 @@ class PartialSlip {
     }
   };
 
-  // Moves the contact to the normal force edge^3 and by the tangential displacement c * `wanted`.
+  // Changes the normal force to edge^3 and adds the tangential displacement c * `wanted`. Loading
+  // adds a ring, unloading removes rings, and slip sets |D| = mu in the outer rings.
   PLASTIGRAN_DEVICE void move(Diagram& rings, double edge, Plane wanted) const {
     if (edge < rings.edge(rings.count - 1)) wanted = wanted + rings.cut(edge);
-    // The displacement of a ring is at most mu times its width.
+    // The displacement of a ring, divided by c, is at most mu times its width.
     const double limit = friction_ * friction_, square = edge * edge;
     double width = square - rings.square(rings.count - 1);  // width of the ring that loading adds
     double excess = dot(wanted, wanted) - limit * (width * width);
@@ -296,8 +288,8 @@ class PartialSlip {
       if (width > 0) add(rings, edge, 1 / width * wanted);
       return;
     }
-    // Slip: all rings outside some force, together with the new ring, get D = mu n. The loop
-    // includes ring after ring from the outside, until the included rings can take the
+    // Slip: the outer rings, together with the new ring, get D = mu n with the same direction n.
+    // The loop includes ring after ring from the outside, until the included rings can take the
     // displacement.
     while (rings.count > 0) {
       Ring& last = rings.ring[rings.count - 1];

@@ -62,10 +62,11 @@ struct TangentialMotion {
 
 // Returns the displacement of a step without the part that is due to separation. With velocity
 // Verlet, the displacement belongs to the contact plane in the middle of the step, but `normal` is
-// that at its end. Therefore a part of the separation appears as tangential displacement. Without
-// this correction, the error of the force is of first order in the step (Vyas, Ottino, Lueptow &
-// Umbanhowar 2025, Comput. Phys. Commun. 310:109524). The caller removes the part along the new
-// normal. `before` is the normal of the previous step, zero before first touch.
+// the normal at the end of the step. Therefore a part of the separation appears as tangential
+// displacement. Without this correction, the error of the force is of first order in the step
+// (Vyas, Ottino, Lueptow & Umbanhowar 2025, Comput. Phys. Commun. 310:109524). The caller removes
+// the part along the new normal. `before` is the normal of the previous step, zero before first
+// touch.
 PLASTIGRAN_DEVICE inline Vector3 centered_displacement(const Vector3& before,
                                                        const TangentialMotion& motion) {
   return motion.displacement - 0.5 * motion.separation * before;

@@ -45,8 +45,8 @@ auto overlap_breaks(const Law& law, [[maybe_unused]] double radius_eff) {
 //   d root/dtau = rate/2,   d rate/dtau = -root F/m*
 //
 // The integrator is Runge-Kutta of fourth order. Each step is computed once in full and once as two
-// half steps. The difference estimates the error, which is limited to 1e-12 of the largest root and
-// of the impact speed, and is subtracted (Richardson extrapolation).
+// half steps. The difference estimates the error, which is subtracted (Richardson extrapolation).
+// The error is limited to 1e-12 of the larger root of the step and of the impact speed.
 template <class Law>
 ImpactOutcome rate_dependent_impact(const Law& law, double radius_eff, double mass_eff,
                                     double speed) {
@@ -139,9 +139,9 @@ Response follow_rebound(const Law& law, double radius_eff, ImpactOutcome& impact
   halve(low, high, [&](double middle) { return force(middle) > 0; });
   impact.overlap_res = high < 1e-9 * impact.overlap_max ? 0 : high;
 
-  // Slope from a small finite difference. The overlap has a relative round-off of about 1e-14, so
-  // if unloading covers less than 1e-7 of the overlap, the slope of a Hertz contact with the same
-  // energy is used.
+  // Compute the slope from a small finite difference. The overlap has a relative round-off of about
+  // 1e-14. Therefore use the slope of a Hertz contact with the same energy if unloading covers less
+  // than 1e-7 of the overlap.
   const double step = 1e-4 * (impact.overlap_max - impact.overlap_res);
   impact.stiffness_max = step > 1e-11 * impact.overlap_max
                              ? (peak.force - force(impact.overlap_max - step)) / step
@@ -176,8 +176,8 @@ Response end_of_contact(const Law& law, double radius_eff, double overlap_max) {
 
 // Computes the central impact of bodies with effective mass mass_eff [kg] at relative speed `speed`
 // [m/s]. At the largest overlap, the work of loading equals 1/2 m* v^2. Unloading releases the
-// elastic energy. With adhesion, pulling the bodies apart takes work; they stick if this work
-// exceeds the kinetic energy.
+// elastic energy. With adhesion, separation takes work; the bodies stick if this work exceeds the
+// released energy.
 template <class Law>
 ImpactOutcome central_impact(const Law& law, double radius_eff, double mass_eff, double speed) {
   if constexpr (rate_dependent<Law>) return rate_dependent_impact(law, radius_eff, mass_eff, speed);
@@ -250,11 +250,11 @@ double jump_error([[maybe_unused]] const Law& law, [[maybe_unused]] double radiu
   return 0.5 * power / (mass_eff * speed * speed);
 }
 
-// Constants of the recommended time step: 0.1 sqrt(m*/k), with the largest stiffness k during the
-// impact. The step is shorter if the force depends on the overlap rate with slope c, because hosts
-// pass the rate of half a step earlier. For a smooth force, the error of restitution is at most
-// 9e-4 and of second order in the step. For a force with jumps, the step is shorter, so that the
-// total error is 1e-3. Kinks of the force add up to 2e-4 (docs/timestep.md).
+// Constants of the recommended time step, 0.1 sqrt(m*/k) with the largest stiffness k during the
+// impact. The step is shorter if the force depends on the overlap rate, with the slope c, because
+// hosts use the rate of half a step earlier. For a smooth force, the error of restitution is at
+// most 9e-4 and of second order in the step. For a force with jumps, the step is shorter, so that
+// the total error is 1e-3. Kinks of the force add up to 2e-4 (docs/timestep.md).
 constexpr double timestep_fraction = 0.1;
 constexpr double timestep_damping = 16;  // coefficient of c^2/(k m*)
 constexpr double smooth_error = 9e-4, restitution_error = 1e-3;
@@ -277,8 +277,8 @@ double recommended_timestep(const Law& law, double radius_eff, double mass_eff, 
                               central_impact(law, radius_eff, mass_eff, speed));
 }
 
-// Returns the recommended time step [s] of the impact at `speed` that loads to `overlap`. Given the
-// overlap, laws without rate dependence need no search for the largest overlap.
+// Returns the recommended time step [s] of the impact at `speed` that loads to `overlap`. With a
+// given overlap, laws without rate dependence need no search for the largest overlap.
 template <class Law>
 double recommended_timestep_of_load(const Law& law, double radius_eff, double mass_eff,
                                     double speed, double overlap) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Detection of constants that are in the allowed range but probably have a wrong unit.
+// Detects constants that are in the allowed range but probably have a wrong unit.
 #pragma once
 
 #include <sstream>
@@ -16,8 +16,8 @@ namespace plastigran {
 //
 // Modulus: LIGGGHTS requires 5 MPa, and solids below 1 MPa are gels. Strength: the ideal strength
 // of a solid is about a tenth of its modulus and never reaches a third (Kelly & Macmillan, Strong
-// Solids, 1986); for pure annealed metals it is 1e-4 of the modulus, and for no metal below 2e-5.
-// Bodies beyond `rigid_modulus` are not checked.
+// Solids, 1986). The yield strength of pure annealed metals is 1e-4 of the modulus; no metal is
+// below 2e-5. Bodies beyond `rigid_modulus` are not checked.
 inline Complaint implausible(const Body& body, double pascal) {
   const double modulus = body.youngs_modulus, strength = body.yield_strength;
   const double rigid = rigid_modulus * pascal;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Brake 2015 (Int. J. Solids Struct. 62:104): Hyperbolic secants blend the Hertz force into a
-// plastic indentation with Meyer index n. The equations are those of Ghaednia et al. 2015 (Int. J.
-// Impact Eng. 86:307), eqs 28-31, corrected as in docs/laws/brake_2015.md. In yield units, x =
-// overlap/overlap_y and f = F/F_y, where yield begins at the contact pressure p_y:
+// Brake 2015 (Int. J. Solids Struct. 62:104): hyperbolic secants blend the Hertz force into the
+// force of a plastic indentation with Meyer index n. The equations are those of Ghaednia et al.
+// 2015 (Int. J. Impact Eng. 86:307), eqs 28-31, corrected as in docs/laws/brake_2015.md. Yield
+// begins at the contact pressure p_y. In yield units, x = overlap/overlap_y and f = F/F_y:
 //
 //   overlap_y = R* (pi p_y/2E*)^2,  overlap_p = R* (3 pi P0/2E*)^2,  x_p = overlap_p/overlap_y
 //   s = (x - 1)/(x_p - 1)
@@ -11,8 +11,8 @@
 //   overlap_res = overlap_max (1 - f/x^1.5), not below 0;   a^2 = R* overlap (2 - sech((n-1) s))
 //
 // P0 is the indentation pressure (hardness), n = 2 is perfect plasticity. Force and slope are
-// continuous. The source gives no contact radius. Here a^2 changes from R* overlap (Hertz) to 2 R*
-// overlap (plastic indentation) with the same blend as the force. For n above 2.7, the force would
+// continuous. The source gives no contact radius. In this law, a^2 changes from R* overlap (Hertz)
+// to 2 R* overlap (plastic indentation), blended like the force. For n above 2.7, the force would
 // decrease with overlap.
 #pragma once
 

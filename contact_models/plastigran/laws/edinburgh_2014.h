@@ -14,7 +14,7 @@
 // Morrissey 2013 (PhD thesis, Edinburgh) instead derives k_adh from a surface energy and the
 // largest contact.
 //
-// Range: the ratios of stiffness must be fitted; overlaps below R*.
+// Range: fitted ratios of stiffness, overlaps below R*.
 #pragma once
 
 #include "plastigran/shared/adhesive_limit.h"

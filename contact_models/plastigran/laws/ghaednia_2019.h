@@ -2,8 +2,8 @@
 //
 // Ghaednia, Brake, Berryhill & Jackson 2019 (J. Tribol. 141:031402): flattening of a sphere with
 // linear hardening by a rigid plane, fitted to finite elements. The force f is a weighted average
-// of the Hertz force and the force f_p of Jackson & Green; without hardening, f = f_p. a_p is the
-// contact radius of Jackson & Green. C and x as in laws/jackson_green.h:
+// of the Hertz force and the force f_p of Jackson & Green. Without hardening, f = f_p. a_p is the
+// contact radius of Jackson & Green; C and x are defined in laws/jackson_green.h:
 //
 //   f = f_p + (x^1.5 - f_p) (1 - exp(-3.3 E_t/E))             x > 1.9; Hertz before
 //   a = a_e + (a_p - a_e) e^Y,   a_e^2 = R overlap
@@ -14,12 +14,13 @@
 // taken from the package tmdsimpy and differs from the printed equation. For overlap > overlap_c +
 // R, the exponent of E_t/E in Y is 0.
 //
-// R and E' belong to the fitted sphere, which fitted_sphere.h defines for two bodies.
+// The option `unloading` selects the residual overlap and the exponent n of unloading:
 //
-//   overlap_max - overlap_res = overlap_c f/x^0.5, n = 3/2    option unloading brake_2015 (default)
-//   overlap_res = overlap_max (1 - x^-0.28)(1 - x^-0.69), n = 1.5 x^-0.0331           etsion_2005
+//   overlap_max - overlap_res = overlap_c f/x^0.5, n = 3/2   brake_2015 (default)
+//   overlap_res = overlap_max (1 - x^-0.28)(1 - x^-0.69), n = 1.5 x^-0.0331   etsion_2005
 //
-// The force jumps at x = 1.9 as in the law of Jackson & Green; the jump is smaller with hardening.
+// R and E' belong to the fitted sphere, which fitted_sphere.h defines for two bodies. The force
+// jumps at x = 1.9 as in the law of Jackson & Green; the jump is smaller with hardening.
 // Range: a/R <= 0.41 without hardening, as for Jackson & Green.
 #pragma once
 

@@ -15,8 +15,8 @@
 //
 // R and E' belong to the fitted sphere, which fitted_sphere.h defines for two bodies.
 //
-// From x = 10 000, the fitted residual overlap would exceed overlap_max; therefore the law recovers
-// at least 1 % of the overlap. The force jumps at x = 1.9, by +0.5 % for small sigma_Y/E' and
+// From x = 10 000, the fitted residual overlap would exceed overlap_max. Therefore at least 1 % of
+// the overlap recovers. The force jumps at x = 1.9, by +0.5 % for small sigma_Y/E' and
 // nu = 0.3. Range: a/R <= 0.41.
 #pragma once
 
@@ -78,8 +78,8 @@ struct JacksonGreenCurve {
     return sphere.overlap_range(
         std::pow(0.41 * 0.41 / std::pow(x_scale, area_exponent), 1 / (1 + area_exponent)));
   }
-  // Returns H/sigma_Y at `radius` = a/a_y. The cosine form was fitted up to a/R = 0.41 and is
-  // constant beyond a/R = 1.
+  // Returns H/sigma_Y at `radius` = a/a_y. The cosine form was fitted up to a/R = 0.41. This law
+  // keeps it constant beyond a/R = 1.
   PLASTIGRAN_DEVICE double hardness_ratio(double radius) const {
     const double a = yield_radius * radius;
     if (hardness == exponential) return -2.84 * std::expm1(-0.82 * std::pow(a, -0.7));

@@ -12,10 +12,9 @@
 // R and E' belong to the fitted sphere, which fitted_sphere.h defines for two bodies.
 //
 // At yield, the force jumps by +11 % and the residual overlap jumps from 0 to three quarters of the
-// overlap. Restitution therefore drops from 1 to one half and stays there: use the law only for
-// well-developed plasticity. For deep indentation, D would become zero, so it is limited to at
-// least 0.71, its value in ye_komvopoulos.h at full plasticity. Beyond overlap = R, pressure and
-// area are constant.
+// overlap. Restitution therefore drops from 1 to one half and stays there. Use the law only well
+// beyond yield. For deep indentation, D would become zero. Therefore D is at least 0.71, its value
+// in ye_komvopoulos.h at full plasticity. Beyond overlap = R, pressure and area are constant.
 #pragma once
 
 #include "plastigran/shared/fitted_sphere.h"

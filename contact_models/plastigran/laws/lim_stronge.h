@@ -12,7 +12,7 @@
 //     |      _/ /
 //     |_____/__/____ overlap
 //
-// Range: length >= 10 R*, contact narrower than 0.6 thicknesses (nu near 0.25). Unloading follows
+// Range: length >= 10 R*, half-width a below 0.6 D (nu near 0.25). Unloading follows
 // the elastic curve if the contact has not yielded, otherwise a straight line. The unloading curve
 // therefore jumps at yield, but the force does not.
 #pragma once

@@ -5,12 +5,12 @@
 // is pressed into a bed of springs. Equations as in LAMMPS' `normal mdr`; the equations for several
 // contacts on one body (bulk response, growth of the radius) are not included.
 //
-// For a sphere of modulus E' and radius R, with xi = overlap/R and the depth y of the indenter,
-// divided by half its height:
+// For a sphere of modulus E' and radius R, let xi = overlap/R, and let y be the depth of the
+// indenter divided by half its height:
 //
 //   h(y) = 2/pi (acos(1-y) - (1-y) sqrt(2y - y^2)),   p(xi) = sigma_Y (1.75 exp(-4.4 xi) + 1)
 //   F = pi E' R^2 h(y),  a = R sqrt(2y - y^2),  y = xi/2      while 4 E' sqrt(xi)/(3 pi) <= p(xi)
-//   for xi > xi_Y, the root of 4 E' sqrt(xi)/(3 pi) = p(xi), with the largest xi of the contact:
+//   beyond yield at xi_Y, where 4 E' sqrt(xi_Y)/(3 pi) = p(xi_Y), with xi of the largest overlap:
 //   a_max^2 = R^2 (2 xi - xi^2 + xi_Y^2 - xi_Y),   F_max = pi a_max^2 p(xi)
 //   F = F_max h(y),  a = a_max sqrt(2y - y^2),  y = 1 - (overlap_max - overlap)/recovery
 //   recovery = A/2 (1 - a_max/s (1 - (1-2 nu) z/(2 (1-nu) (s+z)))),
@@ -23,7 +23,7 @@
 // Just beyond yield, the released energy of the published law grows faster than the work of
 // loading. The energy guard (on by default) then keeps the plastic work from decreasing. Beyond an
 // overlap of 0.7 R, where the published recovery tends to zero, the contact area is constant.
-// Range: contacts of a body that do not influence each other.
+// Range: contacts that do not influence other contacts of the same body.
 #pragma once
 
 #include "plastigran/shared/fitted_sphere.h"

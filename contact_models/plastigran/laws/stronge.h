@@ -15,9 +15,9 @@
 //   area             constant contact area: 3 F_max/(4 E* a_max)
 //   original_radius  Hertz with the undeformed R*: (3 F_max/(4 E* sqrt(R*)))^(2/3)
 //
-// The force is continuous, but its slope increases by a factor of 1.74 at yield. Every version
-// would therefore release more energy than loading took, up to x = 1.9 (`book`) or 4.0 (the other
-// two); the energy guard prevents this. Residual overlaps are at least 0.
+// The force is continuous, but its slope increases by a factor of 1.74 at yield. Up to x = 1.9
+// (`book`) or 4.0 (the other two), every version would therefore release more energy than loading
+// took. The energy guard prevents this. Residual overlaps are at least 0.
 #pragma once
 
 #include "plastigran/tables/power_unloading.h"

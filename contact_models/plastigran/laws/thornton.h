@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Thornton 1997 (J. Appl. Mech. 64:383): Hertz contact whose pressure is limited to the contact
+// Thornton 1997 (J. Appl. Mech. 64:383): Hertz contact whose pressure is limited to the yield
 // pressure p_y. The equations are those of Zhang & Vu-Quoc 2002 (Int. J. Impact Eng. 27:317), eqs
 // 4.10-4.11. Unloading begins with the contact area at the largest overlap.
 //

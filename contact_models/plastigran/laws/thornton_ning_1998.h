@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Thornton & Ning 1998 (Powder Technol. 99:154): JKR until the pressure at the center of the
-// contact reaches p_y, then a limited pressure; unloading is JKR with the radius R_p* of the
-// flattened contact. With s = a^(1/2), c = (2 pi Gamma/E*)^(1/2) and P_c = 3/2 pi Gamma R*:
+// Thornton & Ning 1998 (Powder Technol. 99:154): JKR (laws/jkr.h) until the pressure at the center
+// of the contact reaches p_y; beyond, the pressure is limited. Unloading is JKR with the radius
+// R_p* of the flattened contact. With s = a^(1/2), P_c = 3/2 pi Gamma R* and
+// c = (2 pi Gamma/E*)^(1/2):
 //
 //   p_y = 2 E* a_y/(pi R*) - (2 Gamma E*/(pi a_y))^(1/2)                           yield
 //   F = F_y + pi p_y (a^2 - a_y^2) - 2 E* c a_y (s - s_y),  overlap = s^4/R* - c s  beyond
@@ -13,8 +14,8 @@
 // adhesion the law equals `thornton`; without yield it equals `jkr`. After pull-off, the contact
 // forms again at overlap_p, where the flattened surfaces touch.
 //
-// If a contact yields under tension, at s_y^3 < 5/4 c R*, the published unloading releases more
-// energy than loading took. With the option energy_guard, such a contact yields at
+// If a contact yields at s_y^3 < 5/4 c R*, it is under tension. The published unloading then
+// releases more energy than loading took. With the option energy_guard, such a contact yields at
 // s_y^3 = 5/4 c R*, which corresponds to a larger p_y.
 //
 // Range: a << R*; as `thornton`, the force is too low well beyond yield.
@@ -122,8 +123,8 @@ class ThorntonNing1998 {
     const auto [root, pressure] = yields_(x);
     return {root_unit_ / factor * root, factor * pressure_ * pressure};
   }
-  // Returns s_y, the root of 2 s^3/R* - pi p_y/E* s - c = 0. With the energy guard, also increases
-  // the pressure if s_y is too small.
+  // Returns s_y, the root of 2 s^3/R* - pi p_y/E* s - c = 0. If the energy guard is on and s_y is
+  // too small, increases s_y and the pressure.
   [[gnu::noinline, gnu::cold]] PLASTIGRAN_DEVICE Yield computed_yield(double radius_eff,
                                                                       double pressure) const {
     const double half = 0.25 * contact_.pull() * radius_eff;

@@ -2,8 +2,8 @@
 //
 // Law of this project: Hertz until yield, then closed forms up to full plasticity, with linear
 // hardening. The constants are fitted to finite-element solutions of spheres on a rigid plane
-// (docs/laws/universal.md). F_Y = 4/3 E* a_Y^3/R*, overlap_Y = a_Y^2/R*, a_Y = pi p_y R*/(2 E*),
-// s = t - 1, t = (overlap/overlap_Y)^(1/2):
+// (docs/universal_derivation.md). With a_Y = pi p_y R*/(2 E*), overlap_Y = a_Y^2/R*,
+// F_Y = 4/3 E* a_Y^3/R*, t = (overlap/overlap_Y)^(1/2) and s = t - 1:
 //
 //   q = (q_1 + s)/(q_1 + w s) + q_2 h s/(1 + q_3 s)       strength divided by strength at yield
 //   S = max(t/q - 1, 0)
@@ -14,15 +14,16 @@
 //   F = F_max y^(3/2) (1 + g)/(1 + g y^(1/2)),  g = g_1 D,       unloading and reloading
 //   y = (overlap - overlap_res)/(overlap_max - overlap_res)
 //
-// w is p_y/sigma_Y divided by its value at nu = 0.3. Because of w, the pressure far from yield
-// depends on sigma_Y and not on p_y. h = (p_y/sigma_Y) H/E' with the plastic modulus H; r = a_Y/R.
-// E' and R belong to the fitted sphere, which fitted_sphere.h defines. The option `yielding flat`
-// sets r = 0, because a flat that is indented by a hard sphere has no radius. During unloading, the
-// contact radius is proportional to dF/d(overlap).
+// S measures how far the contact is beyond yield, and Z describes large a/R. w is p_y/sigma_Y
+// divided by its value at nu = 0.3. Because of w, the pressure far beyond yield depends on sigma_Y
+// and not on p_y. h = (p_y/sigma_Y) H/E' with the plastic modulus H; r = a_Y/R. E' and R belong to
+// the fitted sphere, which fitted_sphere.h defines. The option `yielding flat` sets r = 0, because
+// a flat that is indented by a hard sphere has no radius. During unloading, the contact radius is
+// proportional to dF/d(overlap).
 //
-// Restitution is at most 1. If F/t^3, (released energy) a/F^2 and a/t were constant beyond yield,
-// as in a Hertz contact, the released energy would equal the work of loading. In this law, the
-// first two decrease and a/t increases.
+// Restitution is at most 1. In a Hertz contact, the released energy equals the work of loading, and
+// F/t^3, (released energy) a/F^2 and a/t are constant. Beyond yield, the first two decrease and a/t
+// increases; each of these changes lowers the ratio of released energy to work of loading.
 #pragma once
 
 #include "plastigran/shared/fitted_sphere.h"

@@ -6,11 +6,11 @@
 // 78:051304).
 //
 //   F = rho_k (overlap^(3/2) + 3/2 A sqrt(overlap) d overlap/dt),   rho_k = 4/3 E* sqrt(R*)
-//   a = sqrt(R* overlap),   stored 2/5 rho_k overlap^(5/2)
+//   a = sqrt(R* overlap),   elastic energy = 2/5 rho_k overlap^(5/2)
 //
 // The force is largest before the overlap is largest. During unloading, the force vanishes while
-// the spheres still overlap. The contact ends at that overlap, because the surfaces never attract
-// each other and recover more slowly than the spheres separate.
+// the spheres still overlap. The contact ends there, because the surfaces recover more slowly than
+// the spheres separate, and never attract each other.
 //
 // Range: no yield; impact speed much lower than the speed of sound, contact time much longer than
 // A.
@@ -54,8 +54,8 @@ class ViscoelasticHertz {
       response.force = force;
       response.contact_radius = radius;
     }
-    // When the contact ends, some elastic energy remains. The recovery of the surfaces dissipates
-    // it.
+    // Some elastic energy remains when the contact ends. It is dissipated while the surfaces
+    // recover.
     response.elastic_energy = 0.4 * elastic_force * overlap;
     response.viscous_force = response.force - elastic_force;
     return response;

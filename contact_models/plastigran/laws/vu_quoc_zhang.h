@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Vu-Quoc & Zhang 1999 (Proc. R. Soc. A 455:4013), total-overlap form of Zhang & Vu-Quoc 2002
-// (Int. J. Impact Eng. 27:317), eqs 4.1-4.9. The contact radius is an elastic part plus a plastic
-// part, and plastic flow enlarges the radius of curvature. Both grow linearly with the force beyond
-// the yield force P_Y; <x> is max(x, 0):
+// Vu-Quoc & Zhang 1999 (Proc. R. Soc. A 455:4013), equations of Zhang & Vu-Quoc 2002 (Int. J.
+// Impact Eng. 27:317), eqs 4.1-4.9. The contact radius has an elastic part a_e and a plastic part
+// a_p. Plastic flow enlarges the radius of curvature by the factor C_R. a_p and C_R grow linearly
+// with the force beyond the yield force P_Y; <x> is max(x, 0):
 //
 //   a = a_e + a_p,  a_e^3 = 3 F R*/(4 E*),  a_p = C_a <F - P_Y>,  C_R = 1 + K_c <F - P_Y>
 //   overlap = a^2 / (C_R R*)                        first loading
@@ -15,9 +15,10 @@
 //
 //   overlap/overlap_Y = A^2/C,   A = s + c_a u,   C = 1 + k_c u
 //
-// The defaults of c_a and k_c are the paper's calibration (C_a = 2.33e-7 m/N, K_c = 2.69e-4 1/N on
-// its 0.1 m aluminium sphere). Range: calibrated up to F = 41 P_Y for nu = 0.3, perfectly plastic;
-// far beyond, F tends to (k_c/c_a^2) P_Y overlap/overlap_Y, which no real hardness reaches.
+// The defaults of c_a and k_c follow from the paper's calibration for an aluminum sphere of 0.1 m
+// radius: C_a = 2.33e-7 m/N, K_c = 2.69e-4 1/N. Range: calibrated up to F = 41 P_Y for nu = 0.3,
+// perfectly plastic. Far beyond, F tends to (k_c/c_a^2) P_Y overlap/overlap_Y, a mean pressure that
+// no metal reaches.
 #pragma once
 
 #include "plastigran/tables/parametric_table.h"
@@ -54,7 +55,7 @@ struct VuQuocZhangCurve {
   // Returns whether c_a^(3/2) (2 - k_c) >= 2/5 sqrt(1/5) k_c. Then the force of first loading
   // increases with overlap, and plastic work never decreases. The condition is sufficient; the c_a
   // that it requires is at most a quarter larger than necessary. If the radius of curvature grew
-  // without the contact radius, unloading would release more energy than loading took.
+  // and the contact radius did not, unloading would release more energy than loading took.
   static bool admissible(const MaterialPair&, const Parameters& constants) {
     const double ca = constants.contact_radius_coefficient, kc = constants.curvature_coefficient;
     return ca * std::sqrt(ca) * (2 - kc) >= 0.4 * std::sqrt(0.2) * kc;

@@ -8,7 +8,7 @@
 //
 // With S = 0, restitution is (k_1/k_2)^(1/2) at any speed. With k_2' = k_1 and S > 0, restitution
 // decreases with the speed v: (w/(S v + w))^(1/2), w^2 = 2 k_1/m for two spheres of mass m.
-// Range: the stiffnesses must be fitted; the law itself depends on neither size nor material.
+// Range: the stiffnesses must be fitted, because they do not depend on size and material.
 #pragma once
 
 #include "plastigran/shared/contact.h"

@@ -7,12 +7,12 @@
 //   r'^2 = overlap (2R - overlap),  Q = (E'/sigma_Y) overlap/r',  yield at Q = 1.78
 //   F = p A;  p/sigma_Y = 0.70 ln Q + 0.66, 2.9 above Q = 21
 //   A = pi r'^2/(0.05 ln^2 Q - 0.57 ln Q + 2.41), pi r'^2/0.71 above Q = 400
-//   residual overlap: as Jackson & Green, at least 0 (as in Ghaednia et al. 2015)
+//   residual overlap as in jackson_green.h (Ghaednia et al. 2015), at least 0
 //
 // The force jumps by -5 % at yield, +4 % at Q = 21 and +11 % at Q = 400. Below yield, this law is
-// Hertz; the published line differs from Hertz by terms of order overlap/R. Beyond overlap = R,
-// pressure and area are constant. R and E' belong to the fitted sphere, which fitted_sphere.h
-// defines for two bodies.
+// Hertz' law. The published elastic curve differs from Hertz' law by terms of order overlap/R.
+// Beyond overlap = R, pressure and area are constant. R and E' belong to the fitted sphere, which
+// fitted_sphere.h defines for two bodies.
 #pragma once
 
 #include "plastigran/laws/jackson_green.h"

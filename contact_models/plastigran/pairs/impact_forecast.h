@@ -2,8 +2,8 @@
 //
 // Forecast of the hardest impacts at the current velocities: one impact for each pair of atom types
 // that can touch. In this impact, the smallest and lightest particles collide at the largest
-// relative speed. This speed follows from the extremes of the velocity components, so a velocity
-// that all particles have in common does not count.
+// relative speed. This speed follows from the extremes of the velocity components, so a common
+// velocity of all particles does not increase it.
 #pragma once
 
 #include <algorithm>
@@ -44,7 +44,8 @@ struct TypeExtremes {
 class ImpactForecast {
  public:
   // Creates the forecast. `types[k]` belongs to atom type k + 1. `partners` are the types that
-  // particles can touch: all, or those of a wall. `wall_types` are the types of all walls.
+  // particles can touch: all types, or the types of a wall. `wall_types` are the types of all
+  // walls.
   ImpactForecast(const std::vector<TypeExtremes>& types, const std::vector<int>& partners,
                  bool is_wall, const std::set<int>& wall_types)
       : types_(types) {

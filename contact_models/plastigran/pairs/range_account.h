@@ -23,9 +23,8 @@ struct RangeAccount {
   double furthest = 0;  // largest ratio of overlap to limit
 
   // Counts a contact when its overlap exceeds the limit (range times R*) for the first time. This
-  // is the case if its state before the step is below the state after loading to the limit. The law
-  // is not called if the state is unchanged, or if the overlap was well beyond the limit one step
-  // ago.
+  // is the case if loading to the limit would change the state before the step. The law is not
+  // called if the state is unchanged, or if the overlap was well beyond the limit one step ago.
   template <class Law>
   void add(const Law& law, double range, const DeepContact<typename Law::State>& contact) {
     typedef typename Law::State State;

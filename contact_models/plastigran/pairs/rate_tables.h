@@ -9,13 +9,13 @@
 //
 //   F_k(R*, overlap) = F(k^2 R*, overlap)/k, and likewise for contact radius and energies
 //
-// Two other kinds of laws exist. If only a few constants depend on the strength, the law defines
-// respond_stronger(k, radius_eff, overlap, state). If a/R or sigma_Y/E matters, two more tables at
-// larger factors k_j are built before a run. The two tables whose k_j enclose k then give responses
-// for k/k_j, by the equation above. The result is their linear interpolation in k^2, because the
-// leading term in a/R is quadratic. Each contact has a constant factor, so the weights (0 to 1) are
-// constant along its path. Therefore the force remains the derivative of the energies, and plastic
-// work never decreases. docs/rate_factor.md gives the error.
+// Other laws are of two kinds. If only a few constants depend on the strength, the law defines
+// respond_stronger(k, radius_eff, overlap, state). If the curves depend on a/R or sigma_Y/E, two
+// more tables at larger factors k_j are built before a run. The equation above, with k/k_j for k,
+// gives the responses of the two tables whose k_j enclose k. The result is interpolated linearly in
+// k^2, because the leading term in a/R is quadratic. Each contact has a constant factor, so the
+// weights (0 to 1) are constant along its path. Therefore the force remains the derivative of the
+// energies, and plastic work never decreases. docs/rate_factor.md gives the error.
 #pragma once
 
 #include <algorithm>
@@ -49,7 +49,7 @@ class RateTables {
  public:
   static constexpr bool interpolates = yields<Law> && !self_similar<Law> && !responds_stronger<Law>;
   static constexpr double largest_ratio = 1e9;  // largest rate/reference rate [-]
-  // factor of the last table; larger rate factors use this table, too
+  // largest factor of a table; contacts with larger factors rescale the last table
   static constexpr double largest_factor = 2.5;
 
   RateTables(const MaterialPair& bodies, const typename Law::Parameters& constants) {

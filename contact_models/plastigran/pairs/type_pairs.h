@@ -122,7 +122,7 @@ class TypePairs {
     return of_types_[static_cast<std::size_t>((type - 1) * type_count_ + other_type - 1)];
   }
 
-  // Returns a complaint about an invalid constant of a body. The value 0 is valid here, because the
+  // Returns a complaint about an invalid constant of a body. The value 0 is valid, because the
   // other body of a pair may define the constant.
   static Complaint wrong_body_constant(const Materials& materials) {
     for (const auto& parameter : parameters_of<Law>) {

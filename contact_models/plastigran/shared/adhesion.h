@@ -9,7 +9,7 @@
 //   elastic energy = E* (8/15 s^10/R*^2 - 4/3 c s^7/R* + c^2 s^4)
 //   surface energy = -1/2 E* c^2 s^4
 //
-// If the overlap is prescribed, the contact breaks at the least overlap, -3/4 c s_0 with
+// If the overlap is prescribed, the contact breaks at the smallest overlap, -3/4 c s_0 with
 // s_0 = (c R*/4)^(1/3). With u = s/s_0 and x = overlap/(3/4 c s_0), the first equation is
 // u^4 - 4 u = 3 x. Ferrari's solution of this quartic has the resolvent cubic z^3 + 12 x z = 16.
 #pragma once
@@ -90,7 +90,7 @@ class JkrContact {
   PLASTIGRAN_DEVICE double modulus() const { return modulus_; }
   PLASTIGRAN_DEVICE double pull() const { return pull_; }  // returns c [m^(1/2)]
 
-  // Returns the overlap of an equilibrium contact with radius a = s^2 [m].
+  // Returns the overlap of a contact with the radius a = s^2 [m].
   PLASTIGRAN_DEVICE double overlap(double radius_eff, double s) const {
     return (s * s * s * (1 / radius_eff) - pull_) * s;
   }
@@ -161,8 +161,8 @@ PLASTIGRAN_DEVICE double pull_off_force(const Law& law, double radius_eff, doubl
     return pull_off_force(law, radius_eff, overlap, state);
 }
 
-// Returns the energy dissipated if a contact forms or breaks in the step from `before` to `now`
-// [J].
+// Returns the energy [J] that is dissipated because a contact forms or breaks between the states
+// `before` and `now`; otherwise 0.
 template <class Law>
 double lost_at_ends([[maybe_unused]] const Law& law, [[maybe_unused]] double radius_eff,
                     [[maybe_unused]] const typename Law::State& before,

@@ -4,8 +4,8 @@
 // This header and the laws neither allocate nor throw, do not read mutable globals, and do not
 // depend on a host program.
 //
-// A law is a class that is constructed from a MaterialPair. From the overlap and the history of a
-// contact it computes force and energies. It has these members:
+// A law is a class that is constructed from a MaterialPair and its own constants. It computes force
+// and energies from the overlap and the history of a contact. It has these members:
 //
 //   name         name in decks; source: the publication; range: where the law is valid
 //   Parameters   struct of the law's own constants, each with its default
@@ -15,7 +15,7 @@
 //   respond(radius_eff, overlap, state)
 //                returns the Response, which depends on overlap and state only. It changes `state`
 //                at a new extreme, so that a second call at the same overlap changes nothing. At
-//                zero overlap, the response is the plastic work of the state
+//                zero overlap, the response contains only the plastic work of the state
 //
 // A law may have more members:
 //
@@ -79,7 +79,7 @@ struct Response {
   double contact_radius = 0;  // contact radius; half-width of a line contact [m]
   double elastic_energy = 0;  // energy that unloading would release [J]
   double plastic_work = 0;    // energy dissipated by plastic deformation [J]
-  double viscous_force = 0;   // part of `force` due to the rate, negative while parting [N]
+  double viscous_force = 0;   // part of `force` due to the rate, negative while separating [N]
   double surface_energy = 0;  // surface energy relative to separated bodies, never positive [J]
   double pull_off_force = 0;  // largest attraction during unloading, if contacts can stretch [N]
 };
@@ -220,8 +220,8 @@ PLASTIGRAN_DEVICE double plastic_work_of(const Law& law, [[maybe_unused]] double
     return law.respond(radius_eff, 0, state).plastic_work;
 }
 
-// Default of the largest valid overlap/R*, for laws without overlap_range(). No contact law is
-// valid for overlaps of the order of the radius.
+// Largest valid overlap/R* of laws without overlap_range(). No contact law is valid for overlaps of
+// the order of the radius.
 constexpr double widest_overlap_range = 0.1;
 
 template <class Law, class = void>
@@ -238,9 +238,9 @@ double overlap_range(const Law& law) {
 }
 
 // Returns p_y/sigma_Y at which a Hertz contact first yields below its center (von Mises). This is
-// the inverse of the largest (shear stress)/(peak pressure) on the axis, max over z (depth /
-// contact radius) of 1.5/(1+z^2) - (1+nu)(1 - z atan(1/z)). Johnson, Contact Mechanics (1985), sec.
-// 3.4 and 4.1.
+// the inverse of the largest (von Mises stress)/(peak pressure) on the axis, the maximum of
+// 1.5/(1+z^2) - (1+nu)(1 - z atan(1/z)) over z = depth/(contact radius). Johnson, Contact Mechanics
+// (1985), sec. 3.4 and 4.1.
 inline double hertz_yield_pressure_factor(double poissons_ratio) {
   const auto shear = [=](double z) {
     return 1.5 / (1 + z * z) - (1 + poissons_ratio) * (1 - z * std::atan2(1.0, z));
@@ -265,8 +265,8 @@ inline MaterialPair combine(const Body& a, const Body& b) {
   const auto shear_compliance = [](const Body& body) {
     return 2 * (2 - body.poissons_ratio) * (1 + body.poissons_ratio) / body.youngs_modulus;
   };
-  // The weaker body has the lower yield pressure. Further constants break ties, so that the order
-  // of the bodies never matters.
+  // Compare further constants if the yield pressures are equal, so that the order of the bodies
+  // never matters.
   const auto rank = [](const Body& body) {
     return std::make_tuple(yield_pressure(body), body.yield_strength, body.poissons_ratio,
                            body.youngs_modulus, body.tangent_modulus, body.rate_coefficient,

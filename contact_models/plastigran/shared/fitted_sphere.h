@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Extension of laws that were fitted to one yielding sphere on a rigid plane. With this extension,
-// the laws apply to two bodies that both deform.
+// Fitted sphere: it replaces two deforming bodies in laws that were fitted to one yielding sphere
+// on a rigid plane.
 //
 // Such a fit depends on the plane strain modulus E' = E/(1-nu^2) and the radius R of the sphere,
-// for example through sigma_Y/E' and a/R. For two bodies, the option `reading yielding_body` (the
-// default) uses a fitted sphere. It has the material of the yielding body, and the Hertz force and
-// contact radius of the pair:
+// for example through sigma_Y/E' and a/R. The fitted sphere has the material of the yielding body,
+// and the Hertz force and contact radius of the pair:
 //
 //   E',   R = R* E'/E*,   overlap of this sphere: overlap E*/E'
 //
 // For two equal spheres, the fitted sphere is one of the two, with half of the overlap. For a
 // sphere on a rigid plane, the fitted sphere is the sphere itself. Therefore a collision of two
-// equal spheres is equivalent to a collision of one of them with a rigid plane. The option `reading
-// pair` uses E* and R* instead of E' and R.
+// equal spheres is equivalent to a collision of one of them with a rigid plane. The option
+// `reading yielding_body` (the default) uses the fitted sphere. `reading pair` uses E* and R*
+// instead of E' and R.
 //
 // A curve in yield units, x = overlap/overlap_y and f = F/F_y, is the same for the pair and for the
 // fitted sphere. Contact radii convert by a/R* = (a/R) radius_ratio.
@@ -35,9 +35,9 @@ struct FittedSphere {
       : modulus(reading == of_pair ? pair.youngs_modulus_eff : 1 / plane_strain_compliance(pair)),
         radius_ratio(modulus / pair.youngs_modulus_eff) {}
 
-  // Returns overlap_range() of a law that was fitted up to overlap/R = `depth`. Two limits apply:
-  // to the overlap of the fitted sphere, and to the fraction 1 - E*/E' of the overlap, which the
-  // other body takes.
+  // Returns overlap_range() of a law that was fitted up to overlap/R = `depth`. Limits apply to the
+  // overlap of the fitted sphere, and to the fraction 1 - E*/E' of the overlap by which the other
+  // body deforms.
   double overlap_range(double depth) const {
     const double others_share = 1 - 1 / radius_ratio;
     return std::min(std::min(depth, widest_overlap_range) * radius_ratio * radius_ratio,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Elastic contact of spheres, which laws follow until yield: Hertz 1881, equations in laws/hertz.h.
+// Hertz contact, which most laws follow up to yield. Source and equations: laws/hertz.h.
 #pragma once
 
 #include <cmath>

@@ -1,24 +1,23 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Loading of a cylinder on an elastic-plastic body, shared by the laws for cylinders: line contact
-// in plane strain, elastic and beyond yield. Lim & Stronge 1998 (Math. Comput. Model. 28:323) and
-// Katta & Polycarpou 2010 (J. Tribol. 132); elastic part after Johnson, Contact Mechanics (1985),
-// sec. 5.6.
+// Loading curve of the laws for cylinders: line contact with an elastic-plastic body in plane
+// strain. Lim & Stronge 1998 (Math. Comput. Model. 28:323) and Katta & Polycarpou 2010 (J. Tribol.
+// 132); elastic part after Johnson, Contact Mechanics (1985), sec. 5.6.
 //
 //   L  length of the cylinder          D  thickness of the body that yields    R  R* of the pair
-//   p  F/L, force per length           a  half-width of the contact            Y  yield strength
-//   q  p/(pi E*), load [m]             k  nu/(1-nu)                            s  a/a_Y
+//   q  F/(pi E* L), load [m]           a  half-width of the contact            Y  yield strength
+//   p  mean pressure/Y                 k  nu/(1-nu)                            s  a/a_Y
 //
-//   elastic      overlap = q (ln(4 D^2/a^2) - k),  a^2 = 4 q R            mean pressure <= 1.5 Y
+//   elastic      overlap = q (ln(4 D^2/a^2) - k),  a^2 = 4 q R            p <= 1.5
 //   yield        a_Y = 12 Y R/(pi E*)
 //   beyond       overlap = overlap_Y + (a^2 - a_Y^2)/(2R),  F = 2 a L Y p
 //                p = min(1.5 + ln(s)/sqrt(3), 2.4)
 //   unloading    a^2 = 4 q R_e with the radius R_e of the unloaded surface, larger than R
 //
-// The overlap of a line contact depends on its reference point, which is the far side of the body,
-// at the distance D. This distance enters the logarithm. For large a, the logarithmic formula is
-// invalid. If ln(4 D^2/a^2) - k < 2 (a > 0.6 D for nu near 0.25), outside the validity range, the
-// load follows the tangent of the curve.
+// The overlap is the approach of the cylinder to the far side of the body, so the thickness D
+// enters the logarithm. For large a, the logarithmic formula is invalid. If ln(4 D^2/a^2) - k < 2
+// (a > 0.6 D for nu near 0.25), outside the validity range, the load follows the tangent of the
+// curve.
 //
 // The laws differ in the unloading (tables/line_contact.h).
 #pragma once
@@ -43,7 +42,8 @@ PLASTIGRAN_DEVICE inline double lambert_root(double t) {
   return w;
 }
 
-// Returns (elastic load)/overlap at x = overlap/reach: 1/w with w - ln w = ln(1/x).
+// Returns load/overlap of the elastic contact at x = overlap/reach, where overlap = load
+// ln(reach/load): 1/w with w - ln w = ln(1/x).
 PLASTIGRAN_DEVICE inline double load_share(double x) {
   return 1 / lambert_root(std::max(1.25, -std::log(x)));
 }

@@ -11,7 +11,8 @@
 namespace plastigran {
 
 // Returns the cube root of x >= 0 for the force loop, with a relative error of 1e-14 unless x is
-// subnormal. A third of the exponent gives a start within 4 %, and Halley's method cubes the error.
+// subnormal. The start value has a third of the exponent and an error below 4 %; each step of
+// Halley's method cubes the error.
 PLASTIGRAN_DEVICE inline double cube_root(double x) {
   std::uint64_t bits;
   std::memcpy(&bits, &x, sizeof bits);

@@ -1,27 +1,21 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Adhesion for a law whose contacts are elastic at first touch. It generalizes the adhesive contact
-// of Johnson, Kendall & Roberts 1971 (JKR, shared/adhesion.h) to a law with any force F_1 at the
-// overlap overlap_1 (Maugis 2000, Contact, Adhesion and Rupture of Elastic Solids, ch. 4). The
-// index 1 marks values without adhesion. S is the slope dF_1/d(overlap_1) of unloading, U_1 the
-// elastic energy, and c = (2 pi Gamma/E*)^(1/2):
+// Law with the option `adhesion jkr`: adds adhesion to a law whose contacts are elastic at first
+// touch. docs/adhesion.md explains the equations. The index 1 marks values without adhesion. S is
+// the slope dF_1/d(overlap_1) of unloading, U_1 the elastic energy, and c = (2 pi Gamma/E*)^(1/2):
 //
-//   overlap = overlap_1 - D,   F = F_1 - S D,   D = c (R* overlap_1)^(1/4)        first loading
-//   D^2/S constant                                                               unloading
-//   elastic + surface energy = U_1 - F_1 D + S D^2/4,   surface energy = -S D^2/4
+//   overlap = overlap_1 - D,   F = F_1 - S D
+//   D = c (R* overlap_1)^(1/4)        first loading
+//   D^2/S constant                    unloading
+//   surface energy = -S D^2/4,   elastic + surface energy = U_1 - F_1 D + S D^2/4
 //
-// Up to yield this is JKR, and S D^2/4 = pi Gamma a^2. Beyond yield, first loading keeps the JKR
-// relation between the overlap and the radius (R* overlap_1)^(1/2), as in Thornton & Ning 1998.
+// Up to yield, these are the equations of shared/adhesion.h. Adhesion delays first yield to the
+// contact radius a_y. From then on, the law has k times its yield strength:
 //
-// Yield (Thornton & Ning 1998): adhesion lowers the pressure in the center of the contact by
-// p_c = (2 Gamma E*/(pi a))^(1/2). The contact therefore yields at the radius a_y at which
-// p_y + p_c = 2 E* a_y/(pi R*), where p_y is the yield pressure of the law without adhesion. The
-// law is then evaluated with k = 1 + p_c/p_y times its yield strength:
-// F_k(R*, overlap) = F(k^2 R*, overlap)/k. The contact stores k, which depends on R* only.
+//   p_y + p_c = 2 E* a_y/(pi R*),   p_c = (2 Gamma E*/(pi a_y))^(1/2),   k = 1 + p_c/p_y
 //
-// In yield units of the strengthened law, x = overlap_1/overlap_y and D = B x^(1/4) overlap_y.
-// B = c R*/a_y^(3/2) = 2 (1 - 1/k) measures adhesion. adhesive_work.h computes the work of first
-// loading.
+// Sources: Maugis 2000, Contact, Adhesion and Rupture of Elastic Solids, ch. 4 (forces); Thornton &
+// Ning 1998, Powder Technol. 99:154 (yield, and D of first loading beyond yield).
 #pragma once
 
 #include <algorithm>
@@ -173,7 +167,7 @@ class Adhesive {
     return loaded(x);
   }
 
-  // Returns k. Its lower limit belongs to the largest B that the work of loading allows.
+  // Returns k. The largest B that the work of loading allows sets its lower limit.
   [[gnu::noinline, gnu::cold]] PLASTIGRAN_DEVICE double strength_factor(double factor,
                                                                         double radius_eff) const {
     const double b = onset_ / std::sqrt(radius_eff * factor * factor * factor);
@@ -182,6 +176,8 @@ class Adhesive {
     return factor * std::max(q * q, std::cbrt(least * least));
   }
 
+  // Returns overlap_y of the law with k times its strength, for which F_k(R*, overlap) =
+  // F(k^2 R*, overlap)/k.
   PLASTIGRAN_DEVICE double overlap_y(double radius_eff, const State& state) const {
     return state.strength_factor * state.strength_factor * elastic_range_ * radius_eff;
   }
@@ -189,7 +185,8 @@ class Adhesive {
   PLASTIGRAN_DEVICE double yield_radius(double radius_eff, const State& state) const {
     return state.strength_factor * yield_radius_ratio_ * radius_eff;
   }
-  // Returns B, the measure of adhesion of a contact.
+  // Returns B = c R*/a_y^(3/2) = 2 (1 - 1/k), which measures adhesion: D = B x^(1/4) overlap_y,
+  // with x = overlap_1/overlap_y.
   PLASTIGRAN_DEVICE double number(double radius_eff, const State& state) const {
     const double k = state.strength_factor;
     return 2 * onset_ / std::sqrt(radius_eff * k * k * k);
@@ -332,7 +329,8 @@ class Adhesive {
     return response;
   }
 
-  // Adds the plastic work: the work of first loading minus the energy at the largest overlap.
+  // Adds the plastic work: work of first loading minus elastic and surface energy at the largest
+  // overlap.
   PLASTIGRAN_DEVICE Response with_work(Response response, const Peak& peak, double radius_eff,
                                        const State& state) const {
     const double unit = overlap_y(radius_eff, state);

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Work of first loading of a law with adhesion, in yield units: x = overlap_1/overlap_y. The number
-// B measures adhesion (adhesive.h).
+// Work of first loading of a law with adhesion (adhesive.h). It depends on x = overlap_1/overlap_y
+// and on B = 2 (1 - 1/k), which measures adhesion; k is the strength factor of a contact.
 //
 // The work of first loading and the energy at the largest overlap are polynomials in B, whose
 // coefficients are tables of x. Plastic work is the difference of the two.
 //
 // For a large B, plastic work would decrease with x, as in the law of Thornton & Ning. The
-// constructor finds the largest B, up to 0.8, for which plastic work increases. Contacts are
-// limited to this B by a lower limit of their strength factor k. If the energy guard of a law keeps
-// plastic work constant in some interval of x, even a small B makes it decrease. In this interval,
-// the slope of unloading is therefore larger by the factor 1 + B eta(x).
+// constructor finds the largest B, up to 0.8, for which plastic work increases. A lower limit of k
+// keeps contacts at or below this B. If the energy guard of a law keeps plastic work constant in an
+// interval of x, even a small B would make it decrease. In this interval, a factor 1 + B eta(x)
+// therefore increases the slope of unloading.
 #pragma once
 
 #include <algorithm>
@@ -57,7 +57,7 @@ class WorkOfLoading {
     guard(law);
   }
 
-  // Returns the unloading of the law.
+  // Returns the shape of the unloading curve (unloading.h).
   PLASTIGRAN_DEVICE const Rebound& rebound() const { return rebound_; }
 
   // Returns the largest B that a contact may have.
@@ -159,8 +159,8 @@ class WorkOfLoading {
     return all;
   }
 
-  // Finds the largest B. If it would be below 0.4 for a law with an energy guard, finds the
-  // smallest additional loss that makes B = 0.4 possible.
+  // Finds the largest B. If a law with an energy guard would not reach B = 0.4, increases the loss
+  // lost_ until it does.
   void guard(const Law& law) {
     const auto lower_to = [&](double least) {
       for (largest_number_ = 0.8; largest_number_ > least; largest_number_ *= 0.95)

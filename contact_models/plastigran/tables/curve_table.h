@@ -180,9 +180,9 @@ class CurveTable : public Curve, public LargestOverlap {
   Tabulated<quantities> loaded_;
 };
 
-// Table of a law whose published curves release more energy than loading took, either near yield or
-// where the force jumps up. The option energy_guard (energy_guard.h), on by default, reduces the
-// recovered overlap of such a law.
+// Table of a law whose published curves release more energy than loading took near yield or where
+// the force jumps up. By default, the option energy_guard (energy_guard.h) reduces its recovered
+// overlap there.
 template <class Curve, class Unloading>
 class GuardedTable : public CurveTable<Curve, Unloading> {
  public:

@@ -7,9 +7,10 @@
 //   integral of h = 2/pi (c - (1-y) acos(1-y) - c^3/3)
 //
 // Beyond y = 1 the indenter is a flat punch: h = 1 + 4/pi (y-1), c = 1. Near y = 0, the closed
-// forms lose digits by cancellation. There, the series of 4/pi times the integral of sqrt(2y)
-// sqrt(1 - y/2) gives h. The table contains h/y^(3/2) and (integral of h)/y^(5/2), because these
-// are smooth functions. Below yield, F_max = pi E' R^2, a_max = R and y = overlap/(2R).
+// forms lose digits by cancellation, so h is computed from the series of its integral form, 4/pi
+// times the integral of sqrt(2y) sqrt(1 - y/2). The table contains h/y^(3/2) and (integral of
+// h)/y^(5/2), because these are smooth functions. Below yield, y = overlap/(2R), F_max = pi E' R^2
+// and a_max = R.
 #pragma once
 
 #include <array>

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Energy guard. Some published curves release more energy than loading took. In that case, the
-// guard reduces the recovered overlap, so that plastic work never decreases during loading.
+// Energy guard. Some published curves release more energy than loading took. There, the guard
+// reduces the recovered overlap, so that plastic work never decreases during loading.
 //
 // The search follows the published plastic work from yield to larger overlaps. An interval begins
 // where plastic work starts to decrease, and ends where it is again as large as before. A decrease
-// is likely just beyond an overlap at which the formula changes. The distance of the search points
-// from this overlap therefore starts at 1e-9 of the overlap and grows by a quarter per point, up to
-// steps of 2 %.
+// is likely just beyond an overlap at which the formula changes. Therefore the search starts at a
+// distance of 1e-9 of this overlap. The distance grows by a quarter per point, up to steps of 2 %.
 #pragma once
 
 #include <algorithm>

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Table of a law for a line contact: loading of shared/line_loading.h and the unloading of the law.
-// The table is trivially copyable. A class Rebound has `name` and `source` of the law, and
+// Law of a line contact: loading as in shared/line_loading.h, and unloading as in a class Rebound.
+// The law is trivially copyable. Rebound has `name` and `source` of the law, and
 //
-//   recovery(load_y, overlap_y, load, flattening)   overlap_max - overlap_res [m]
+//   recovery(load_y, overlap_y, load, flattening)
+//               returns overlap_max - overlap_res [m]; flattening = R/R_e
 //   straight    whether unloading is a straight line; otherwise it is the elastic curve of a
-//               cylinder of radius R_e, stretched to `recovery`. flattening = R/R_e
+//               cylinder of radius R_e, stretched to `recovery`
 //
-// Just above yield, the published unloading releases more energy than loading took. The reason is
-// that loading beyond yield omits the logarithm, so that its slope jumps up by a factor of about 3.
-// The energy guard limits the released energy to the work of loading. At larger overlaps, plastic
-// work increases without the guard.
+// Just above yield, the published unloading releases more energy than loading took, because the
+// slope of loading jumps up by a factor of about 3: beyond yield, loading omits the logarithm. The
+// energy guard limits the released energy to the work of loading. At larger overlaps, it has no
+// effect.
 #pragma once
 
 #include <algorithm>
@@ -24,8 +25,7 @@
 
 namespace plastigran {
 
-// Tables of functions of line contacts in dimensionless units, which are the same for all
-// materials.
+// Tables of dimensionless functions of line contacts; they are the same for all materials.
 class LineTables {
  public:
   LineTables()
@@ -109,8 +109,8 @@ class LineContact : public Rebound, public LargestOverlap {
   }
 
   // Returns the stiffness of the elastic contact [N/m]. Normal: slope of the elastic force.
-  // Tangential: a sticking strip of the same half-width, displaced relative to the far side of the
-  // body; from the displacements of a line force, Johnson (1985) sec. 2.2-2.3.
+  // Tangential: a sticking strip of the same half-width moves relative to the far side of the body.
+  // Its stiffness follows from the displacements of a line force, Johnson (1985) sec. 2.2-2.3.
   PLASTIGRAN_DEVICE Stiffness elastic_stiffness(double contact_radius) const {
     const double far = std::max(compliance(contact_radius), 2.0);
     return {stiffness_ / (far - 1), stiffness_ / (far + 2 * lateral_ + 1)};
@@ -118,7 +118,7 @@ class LineContact : public Rebound, public LargestOverlap {
 
  private:
   static constexpr double overlap_min = 1e-200;  // overlap above which no ratio overflows [m]
-  static constexpr double square_min = 1e-300;   // a^2 of a contact without width [m^2]
+  static constexpr double square_min = 1e-300;   // smallest a^2 in a logarithm [m^2]
 
   PLASTIGRAN_DEVICE Response respond(double yield_ratio, double log_yield, double radius_eff,
                                      double overlap, State& state) const {

@@ -8,8 +8,8 @@
 //   overlap C_max = s^2 + A_max^2 - s_max^2,   a = s + A_max - s_max        unloading, reloading
 //
 // A class Curve defines A = radius(s), C = curvature(s), their derivatives, and the yield
-// constants. The host tabulates s as a function of overlap, and the works; the force loop reads the
-// tables. The table is trivially copyable.
+// constants. The host tabulates s as a function of overlap, and the work of loading and unloading
+// as functions of s. The force loop reads the tables. The table is trivially copyable.
 #pragma once
 
 #include <algorithm>
@@ -67,8 +67,8 @@ class ParametricTable : public Curve {
     Point max = point(std::max(state.elastic_radius_max, 1.0));
     if (!(overlap > 0)) return {0, 0, 0, force_y * overlap_y * plastic_work(max)};
     double s = max.s;
-    // Treat a contact within the table error of its largest overlap as unchanged, so that a second
-    // call at the same overlap does not load it further.
+    // If the overlap differs from the largest overlap by less than the table error, keep the state,
+    // so that a second call at the same overlap does not load the contact further.
     const double reached = max.radius * max.radius;
     const double ahead = max.curvature * x - reached;
     if (ahead > rounding * reached) {  // first loading beyond yield
@@ -120,7 +120,8 @@ class ParametricTable : public Curve {
       const double slope = 2 * at.radius * Curve::radius_slope(s) - x * Curve::curvature_slope(s);
       const double step = slope > 0 ? std::min(-value / slope, s) : s;
       s += step;
-      // The next step would be about the square of this one, which is round-off.
+      // The relative size of the next step would be about the square of this step, which is below
+      // round-off.
       if (std::abs(step) <= 1e-8 * s) break;
     }
     return s;

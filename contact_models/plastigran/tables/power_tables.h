@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // Logarithms and powers for the force loop: log2 and exp2 from short tables and short series. They
-// take a third of the time of pow() in the C library. Their results have one digit less.
+// take a third of the time of pow() in the C library and are less accurate by one digit.
 #pragma once
 
 #include <array>

@@ -17,8 +17,8 @@ class PowerUnloading : public GuardedTable<Curve, PowerOfOverlap<Curve>> {
  public:
   using GuardedTable<Curve, PowerOfOverlap<Curve>>::GuardedTable;
 
-  // Returns the values of overlap/R* at which the formula changes, so the force of first loading
-  // may jump.
+  // Returns the values of overlap/R* at which the formula changes; the force of first loading may
+  // jump there.
   auto overlap_breaks() const {
     auto overlaps = Curve::breaks;
     for (double& overlap : overlaps)

@@ -105,9 +105,9 @@ class Tabulated {
     return x;
   }
 
-  // Fits a panel from end_ over at most `width` buckets; it is shorter if the functions have a
-  // kink. Moves end_ to the end of the panel. Returns the number of buckets to try for the next
-  // panel, or 0 if the functions are not finite.
+  // Fits a panel from end_ over at most `width` buckets. The panel ends earlier at a kink of the
+  // functions. Moves end_ to the end of the panel. Returns the number of buckets to try for the
+  // next panel, or 0 if the functions are not finite.
   template <class Functions, class Kinks>
   std::size_t add(Panel& panel, std::size_t width, const Functions& functions, const Kinks& kinks,
                   const Interpolation<terms>& through) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Shapes of unloading for curve_table.h: force, contact radius and released energy between the
-// residual and the largest overlap, as functions of y = (overlap - overlap_res)/(overlap_max -
+// Shapes of the unloading curve for curve_table.h: force, contact radius and elastic energy between
+// residual and largest overlap, as functions of y = (overlap - overlap_res)/(overlap_max -
 // overlap_res).
 //
 //   power       F = F_max y^n,  a = a_max y^(1/2),  n = 3/2 or the curve's exponent(x)
@@ -38,9 +38,9 @@ struct Peak {
 // `root_of_slope` (square root of dF/d(overlap)) are divided by their values at the largest
 // overlap. `exponent` is d ln(root_of_slope)/d ln(w).
 //
-// A class of unloading also has two functions: contact_radius_at() returns the contact radius
-// divided by its value at the largest overlap, and energy_at() the elastic energy divided by F_max
-// (overlap_max - overlap_res).
+// The classes below also define contact_radius_at(), the contact radius divided by its value at the
+// largest overlap, and energy_at(), the elastic energy divided by F_max (overlap_max -
+// overlap_res).
 struct ShapeOfUnloading {
   double force, root_of_slope, exponent;
 };
@@ -139,8 +139,8 @@ class SteepeningUnloading : public HertzBelowYield {
 
   PLASTIGRAN_DEVICE Response at(const Peak& peak, double left) const {
     const double y = left > 0 ? left : 0, root = std::sqrt(y), g = peak.shape - 1;
-    // `steeper` and `wider` must be exactly 1 at the largest overlap, so that first loading
-    // continues without a jump.
+    // `steeper` and `wider` are exactly 1 at the largest overlap, so that first loading continues
+    // without a jump.
     const double steeper = peak.shape / (1 + g * root);
     const double wider = steeper * steeper * ((3 + 2 * g * root) / (3 + 2 * g));
     return scaled(peak, root, y * root * steeper, root * wider);
