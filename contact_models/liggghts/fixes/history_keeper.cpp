@@ -160,8 +160,9 @@ void HistoryKeeper::restore_lost_histories() {
   }
 }
 
-// Returns whether a fix still has the stored histories and no particle was renumbered. If the deck
-// changed the page sizes, LIGGGHTS has freed the memory that the fix points to.
+// Returns whether a fix still has the stored histories and no particle was renumbered. Also returns
+// false if the deck changed `page` or `one` by neigh_modify, because LIGGGHTS has then freed the
+// memory that the fix points to.
 bool HistoryKeeper::is_unchanged(const Stored& stored, LAMMPS_NS::Fix* fix) const {
   bool unchanged = page_ == neighbor->pgsize && largest_list_ == neighbor->oneatom;
   for (int i = 0; unchanged && i < atom->nlocal; ++i) {

@@ -288,8 +288,8 @@ void MeshContacts::take_over(int particle, Overlap& overlap, double* history) co
   for (int offset : springs_) rotate(before, now, history + offset);
 }
 
-// Returns the largest gap of a stretched contact in LIGGGHTS [m]; 0 if contacts end with the
-// overlap.
+// Returns the largest gap at which LIGGGHTS still computes a contact [m]; 0 if contacts end with
+// the overlap.
 double MeshContacts::reach_of(int particle) const {
   if (in_contact_ < 0) return 0;
   return (engine_->neighbor->contactDistanceFactor - 1) * engine_->atom->radius[particle];

@@ -20,7 +20,7 @@ struct AccountedLoad : LIGGGHTS::ContactModels::ForceData {
   double adhesion_loss = 0;      // energy lost when the contact formed or broke in this step [J]
   double plastic_work = 0;       // plastic work since the last update of the history [J]
   double tangential_energy = 0;  // energy that a tangential law stores [J]
-  double dashpot_force = 0;      // normal dashpot force on particle i [N]
+  double dashpot_force = 0;      // normal dashpot and viscous force on particle i [N]
 
   // Counts the energies of a law in a step that changes its state from `before` to `now`. If the
   // state is unchanged, as in most contacts, plastic work needs no call of the law.

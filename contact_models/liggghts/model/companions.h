@@ -13,7 +13,7 @@ namespace plastigran {
 
 struct Companion {
   const char* name;  // name in decks
-  int id;            // ID in LIGGGHTS' hash; 0 is the default model of a line
+  int id;            // ID in LIGGGHTS' hash; 0 for the model of a line that names none
 };
 
 struct CompanionKind {

@@ -69,13 +69,15 @@ class ContactChecks : protected LAMMPS_NS::Pointers {
     if (excess_->unique_warnings.insert(text).second) warn(lmp, model_ + ": " + text);
   }
 
-  // Checks a contact deeper than `pair.checked_from`, whose state changes from `before` to `now`.
+  // Checks a contact whose overlap/R* exceeds `pair.checked_from`. `factor` is its rate factor, and
+  // its state changes from `before` to `now`.
   [[gnu::noinline]] void check(const Contact& contact, TypePair<Law>& pair, double factor,
                                double radius_eff, const State& before, const State& now) {
     const double smaller = contact.is_wall ? contact.radi : std::min(contact.radi, contact.radj);
     if (contact.deltan > overlap_limit_ * smaller)
       fail(describe_overlap(atom, contact, contact.deltan / smaller, overlap_limit_));
-    // Stop before the center crosses the wall, because the wall then pushes to the other side.
+    // Stop before the center of the particle crosses the wall. The wall would then push the
+    // particle out on the other side.
     if (contact.is_wall && overlap_limit_ <= 1 && contact.deltan + 2 * approach(contact) > smaller)
       fail(describe_crossing(atom, contact));
     // overlap_limit_ refers to the smaller radius. R* is at most this radius, so a check of every

@@ -29,6 +29,7 @@ class DeckProperties : protected LAMMPS_NS::Pointers {
   DeckProperties(LAMMPS_NS::LAMMPS* engine, const std::string& model, int type_count)
       : Pointers(engine), model_(model), type_count_(type_count) {}
 
+  // Returns whether the deck defines a property, of any shape.
   bool given(const char* field) const;
 
   // Returns whether the deck defines a property that is positive for at least one atom type.

@@ -47,9 +47,8 @@ class ContactObserver : public PluginFix {
   virtual void add(const Contact& contact, const AccountedLoad& on_i, const Load& on_j,
                    const void* owner) = 0;
 
-  void post_create() override {
-    update->first_update = 0;
-  }  // force a setup of the next run, even with `pre no`
+  // Forces a setup of the next run, even with `pre no`.
+  void post_create() override { update->first_update = 0; }
   void init() override;
   void setup_pre_exchange() override;
 

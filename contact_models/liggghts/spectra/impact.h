@@ -27,7 +27,7 @@ inline int wall_of(Partner partner) { return -1 - partner; }
 struct Impact {
   double type = 0;               // atom type of the holder at first touch
   double other_type = 0;         // atom type of the partner at first touch
-  double speed = unknown_speed;  // normal speed at first touch [m/s]
+  double speed = unknown_speed;  // closing speed along the normal at first touch [m/s]
   double energy = 0;             // energy dissipated so far [J]
   double largest_force = 0;      // largest normal force so far [N]
   double force = 0;              // normal force in this step, summed over triangles of a wall [N]

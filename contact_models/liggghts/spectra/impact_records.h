@@ -63,8 +63,9 @@ class ImpactRecords {
   // ranks at the end of the last run. Collective.
   void renumber(const int* ids, int count, long former_total, MPI_Comm ranks);
 
-  // The next three functions convert the impacts of a particle to values in a buffer, and back.
-  // Each returns the number of values.
+  // write() and read() convert the impacts of a particle to values in a buffer, and back. They
+  // return the number of values, as size() does. largest_size() is the maximum of size() over the
+  // first `count` particles.
   int size(int i) const { return 2 + values_each * held_[i].keys.size(); }
   int largest_size(int count) const;
   int write(int i, double* buffer) const;
