@@ -54,7 +54,7 @@ TARGETS = (
 
 @dataclass(frozen=True)
 class Contender:
-    """Law in a host, one of the laws whose costs are compared.
+    """One of the laws whose costs are compared, in LIGGGHTS or LAMMPS.
 
     Attributes:
         law: Name of the law in the host; in LAMMPS, the name is followed by the constants.

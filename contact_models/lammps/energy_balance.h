@@ -24,7 +24,7 @@ class ContactTally;
 // Sum of the forces [N] and torques [N m] on one particle that dissipate energy without plastic
 // flow.
 struct ParticleLoad {
-  double friction[3]{}, torque[3]{};  // of the tangential, rolling and twisting models
+  double friction[3]{}, torque[3]{};  // from the tangential, rolling and twisting models
   double dashpot[3]{};                // rate-dependent parts of the normal forces
 };
 

@@ -20,7 +20,8 @@ class LoadModel : public LAMMPS_NS::Granular_NS::GranSubModHeat {
   static void add(LAMMPS_NS::Granular_NS::GranularModel* model, LAMMPS_NS::LAMMPS* lammps,
                   const NormalModel& normal, ContactTally& tally);
 
-  // Lets LAMMPS call the model. LAMMPS resets this flag whenever it initializes its models.
+  // Sets LAMMPS' flag `heat_defined`, so that LAMMPS calls this model. LAMMPS resets the flag
+  // whenever it initializes its models.
   static void enable(LAMMPS_NS::Granular_NS::GranularModel* model);
 
   double calculate_heat() override;

@@ -41,8 +41,8 @@ class NormalModel : public LAMMPS_NS::Granular_NS::GranSubModNormal {
   void coeffs_to_local() override {}
   bool touch() override;
   double pulloff_distance(double radius, double other_radius) override;
-  // LAMMPS calls this function before calculate_forces() and set_fncrit(). It therefore also
-  // computes the force.
+  // Computes the force and all other results, too, because LAMMPS calls this function before
+  // calculate_forces() and set_fncrit().
   double calculate_contact_radius() override;
   double calculate_forces() override { return force_; }
 

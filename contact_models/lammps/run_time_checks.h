@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // Run-time checks. The fix counts contacts beyond the validity range of their law, and warns at the
-// end of a run. Before a run, it warns of a long time step and of impacts that will exceed the
-// range. The pair style creates this fix with the ID `plastigran_checks`.
+// end of a run. Before a run, it warns of a time step that is too long, and of impacts that will
+// exceed the range. The pair style creates this fix with the ID `plastigran_checks`.
 #pragma once
 
 #include <map>

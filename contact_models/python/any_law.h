@@ -17,9 +17,9 @@ namespace plastigran {
 // History of one contact of a law.
 struct AnyState {
   static constexpr std::size_t capacity = 8;
-  const char* law;  // name of the law
-  const char* const* names;
-  std::size_t count;
+  const char* law;           // name of the law
+  const char* const* names;  // names of the values
+  std::size_t count;         // number of values
   std::array<double, capacity> values{};
 };
 

@@ -26,6 +26,7 @@ constexpr bool is_wrapped = false;
 template <class Law>
 constexpr bool is_wrapped<Adhesive<Law>> = true;
 
+// Whether the force of first loading can jump.
 template <class Law>
 constexpr bool jumps = false;
 template <class Law>
@@ -37,6 +38,7 @@ constexpr bool jumps<Adhesive<Law>> = has_breaks<Law>;
       Adhesive<KogutKomvopoulos>, Adhesive<YeKomvopoulos>, Adhesive<Brake2012>,         \
       Adhesive<Brake2015>, Adhesive<Universal>
 
+// Returns constants of a law, with different strengths of adhesion.
 template <class Law>
 std::vector<typename Law::Parameters> cases() {
   if constexpr (is_wrapped<Law>) {

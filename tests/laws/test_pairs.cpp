@@ -58,6 +58,7 @@ TEST_CASE("a pair has the law of its two bodies, in either order") {
   CHECK(&pairs(1, 1) != &pairs(2, 2));
 }
 
+// A Meeting contains two atom types, R* [m], m* [kg] and the relative speed [m/s].
 TEST_CASE("two bodies that never yield may not meet under a law that yields") {
   TypePairs<Thornton> pairs = table<Thornton>(three_types());
   CHECK(pairs(1, 3).refusal.empty());

@@ -68,8 +68,8 @@ TEST_CASE_TEMPLATE("a pair without a rate coefficient has no tables, and answers
 // The path is loading, unloading to zero overlap and further loading, up to the end of the range.
 // Errors are relative to the largest force or energy. Without interpolation, they are below 1e-12,
 // because the same formulas are evaluated in another order. Interpolation between tables causes
-// errors of 1e-3, and of 5e-3 for overlaps above 0.01 R*. The rate coefficient is the largest of a
-// metal in docs/rate_factor.md.
+// errors of up to 1e-3, and of up to 5e-3 for overlaps above 0.01 R*. The rate coefficient is the
+// largest of a metal in docs/rate_factor.md.
 TEST_CASE_TEMPLATE("a law at a rate factor is the law of the stronger bodies", Law, ALL_LAWS) {
   if constexpr (yields<Law>) {
     constexpr double coefficient = 0.025;
