@@ -17,7 +17,7 @@ using LAMMPS_NS::Granular_NS::GranularModel;
 NormalModel::NormalModel(GranularModel* model, LAMMPS_NS::LAMMPS* lammps, Laws laws,
                          ContactTally& tally)
     : GranSubModNormal(model, lammps), laws_(std::move(laws)), tally_(tally) {
-  const RuntimeLaw& one = *laws_.front();
+  const RuntimeLaw& one = *laws_.front();  // laws of a wall differ only in the bodies
   const GranSubModNormal& placeholder = *model->normal_model;
   name = "hertz/material";
   num_coeffs = 3;

@@ -127,6 +127,7 @@ void HistoryKeeper::setup_pre_exchange() {
     for (const std::string& id : line.histories)
       if (const LAMMPS_NS::Fix* const fix = modify->find_fix_id(id.c_str()))
         line.position = primitive_wall_position(lmp, fix);
+  // Nothing is stored before the first run, which may follow a restart.
   if (stored_.empty())
     clear_moved_walls(former);
   else

@@ -82,6 +82,7 @@ void MotionCheck::pre_exchange() {
   for (int i = 0; i < atom->nlocal; ++i)
     for (int axis = 0; axis < 3; ++axis) {
       if (domain->periodicity[axis]) continue;
+      // A particle is lost only at a fixed side (`boundary f`, value 1).
       const bool below = domain->boundary[axis][0] == 1 && atom->x[i][axis] < domain->boxlo[axis];
       const bool above = domain->boundary[axis][1] == 1 && atom->x[i][axis] > domain->boxhi[axis];
       if (below || above)

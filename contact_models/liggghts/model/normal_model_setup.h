@@ -176,6 +176,7 @@ class NormalModelSetup : public NormalModelBase {
       fail("rateCoefficient is not supported with adhesion. Remove the property");
     const plastigran::RadiusRange radii = plastigran::radius_range(lmp);
     const double bodies = owner_.is_wall() ? 1 : 2, smallest = radii.smallest;
+    // R* of two equal particles is half their radius. The factor 1 - 1e-9 allows for round-off.
     least_radius_eff_ = smallest / bodies * (1 - 1e-9);
     if (radii.largest == 0) return;
     double share = 0, distance = 0;

@@ -198,6 +198,7 @@ class TangentialLawModel : public LIGGGHTS::ContactModels::TangentialModelBase {
   // Advances the state by one step, adds the forces, and returns the stored energy of the law.
   double add_forces(const Contact& contact, Load& on_i, Load& on_j) const {
     const double friction = friction_[contact.itype][contact.jtype];
+    // The normal model sets kn such that kn deltan is the force that limits friction.
     const NormalLoad load{std::max(0.0, contact.kn * contact.deltan), contact.kt};
     const Vector3 velocity{contact.vtr1, contact.vtr2, contact.vtr3};
     TangentialMotion motion;
