@@ -57,9 +57,10 @@ def impacts() -> pd.DataFrame:
 
 
 def pull_off() -> pd.DataFrame:
-    """Return load and pull-off force [N] of steel, by law and overlap, and for full plasticity.
+    """Return load and pull-off force [N] of steel, by law and overlap.
 
-    The reference uses pressure and contact radius of the law at the largest load.
+    The column `reference` has the pull-off force of a fully plastic contact with the same pressure
+    and contact radius at the largest load.
     """
     modulus = STEEL.youngs_modulus_eff
     rows = []

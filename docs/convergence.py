@@ -4,7 +4,7 @@
 
     .venv/bin/python docs/convergence.py [elastic] [press] [throw] [vibrate] [strike]
 
-The press takes about three minutes on one core, the throw about six, the others one or two.
+On one core, `press` takes about three minutes, `throw` about six, and the others one or two each.
 """
 
 from __future__ import annotations
@@ -25,14 +25,14 @@ from plastigran.fem.sphere.throw import throw
 from plastigran.fem.sphere.vibrate import vibrate
 from plastigran.fem.theory.hertz import HertzSphere
 
-#: The sphere of Zhang & Vu-Quoc 2002 (Int. J. Impact Eng. 27:317), compressed and in impact
-#: [m, N, m/s].
+#: Sphere of Zhang & Vu-Quoc 2002 (Int. J. Impact Eng. 27:317): radius [m], largest force of the
+#: compression [N] and impact speed [m/s].
 METAL = ElasticPlastic(
     youngs_modulus=70e9, poissons_ratio=0.3, density=2699.0, hardening=LinearHardening(100e6)
 )
 RADIUS, FORCE, SPEED = 0.1, 1500.0, 0.02
 
-#: Impact of the sphere of ice of docs/papers/chamoli.md [m, m/s].
+#: Sphere of ice of docs/papers/chamoli.md: radius [m] and impact speed [m/s].
 ICE = ElasticPlastic(youngs_modulus=9.3e9, poissons_ratio=0.25, density=900.0)
 ICE_RADIUS, ICE_SPEED = 0.01, 5.0
 VIBRATE_VARIATIONS = {
@@ -89,8 +89,8 @@ def convergence(
 ) -> pd.DataFrame:
     """Return the results of computations in which one setting at a time is changed.
 
-    The first row has the unchanged settings. Columns are `changed`, `value`, the numbers, and their
-    difference from the first row in per cent, `<name>_change`.
+    The first row has the unchanged settings. The columns are `changed` (name of the setting),
+    `value`, each result, and its change from the first row in per cent, `<name>_change`.
     """
     settings = settings or Settings()
     reference = measure(settings)
@@ -109,7 +109,7 @@ def elastic_table(
     forces: Sequence[float] = (36.0, 61.0, 174.0, 496.0, 1417.0, 4048.0, 11563.0),
     settings: Settings | None = None,
 ) -> pd.DataFrame:
-    """Return the force of an elastic sphere divided by that of Hertz at the same approach.
+    """Return the deviation of the force of an elastic sphere from Hertz at the same approach [%].
 
     Each force [N] has its own mesh.
     """

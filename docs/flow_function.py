@@ -5,8 +5,8 @@
     .venv/bin/python docs/flow_function.py                  # three stresses, three surface energies
     .venv/bin/python docs/flow_function.py --scaling        # two grain sizes, three seeds
 
-Each takes about five minutes of one core. The script reads finished runs of the folder instead of
-repeating them.
+Each command takes about five minutes on one core. The script reads finished runs of the folder
+instead of repeating them.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ RADIUS, TIMESTEP, ENERGY = 1.25e-3, 3.75e-6, 2.5
 
 
 def run(folder: Path, **settings: object) -> BulkRun:
-    """Return a run of the deck. A finished run is read from its folder."""
+    """Return a run of the deck with some settings, from its folder if it is finished."""
     words = "_".join(f"{name}_{value:g}" for name, value in settings.items())
     if (folder / words / "checks.csv").exists():
         return open_run(folder / words)
@@ -53,7 +53,7 @@ def row(test: BulkRun) -> dict[str, float]:
 
 
 def flow_functions(folder: Path) -> pd.DataFrame:
-    """Return one row per consolidation stress and surface energy, without `adhesion_ratio`."""
+    """Return one row per consolidation stress and surface energy; `adhesion_ratio` is 0."""
     return pd.DataFrame(
         row(
             run(

@@ -21,7 +21,10 @@ RADIUS = 0.01  # the figures are dimensionless; any size gives the same
 
 
 def sphere_law(name: str):
-    """Return a law for the sphere of its paper, the elastic law, and force and overlap at yield."""
+    """Return law, elastic law, and force [N], overlap [m] and speed [m/s] at yield, for a sphere.
+
+    The material is the aluminum of Zhang & Vu-Quoc (2002). The speed is for a mass of 1 kg.
+    """
     pair = laws.combine(read_material("aluminium_zv02").body(), RIGID)
     overlap_y = RADIUS * laws.yield_radius_ratio(pair) ** 2
     force_y = 4 / 3 * pair.youngs_modulus_eff * np.sqrt(RADIUS) * overlap_y**1.5
@@ -30,7 +33,7 @@ def sphere_law(name: str):
 
 
 def cylinder_law(name: str):
-    """Return the same for a cylinder with a length of ten radii on a body as thick as ten radii."""
+    """Return the same for a cylinder and for glass; length and body thickness are ten radii."""
     glass = read_material("glass_kp10")
     pair, strong = (
         laws.combine(body.body(), RIGID) for body in (glass, evolve(glass, yield_strength=1e20))
@@ -155,7 +158,7 @@ def powder_figure(name: str, **constants: float) -> Figure:
     return figure
 
 
-# Laws whose figure shows something else than a path of overlaps.
+# Figures of laws that show more than a path of overlaps.
 OWN_FIGURES = {
     "viscoelastic_hertz": viscoelastic_figure,
     "jkr": partial(powder_figure, "jkr", surface_energy=0.2),

@@ -17,12 +17,12 @@ from plastigran.validation.steel import speed_ratio
 
 #: Perfectly plastic metal of the finite elements, which the fit of `universal` did not use.
 METAL = "s0.0008-nu0.35-perfect"
-#: Restitution that a deck of LIGGGHTS' `hertz` states, as an example.
+#: Example of a restitution that a deck prescribes for LIGGGHTS' own `hertz`.
 TYPED_RESTITUTION = 0.6
 
 
 def finite_elements() -> tuple[laws.MaterialPair, np.ndarray, np.ndarray]:
-    """Return metal and rigid plane, and v/v_Y and restitution computed by finite elements."""
+    """Return the pair of metal and rigid plane, v/v_Y, and restitution by finite elements."""
     rows = table()
     rows = rows[rows["metal"] == METAL]
     return (

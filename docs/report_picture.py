@@ -17,7 +17,7 @@ from playwright.sync_api import Browser, expect, sync_playwright
 FIGURE = Path(__file__).parent / "figures" / "report.png"
 PAGE = Path("results/demo/report.html")
 SIZE = {"width": 960, "height": 1330}
-#: Scrolls to an element, and shortens paths so that they begin at `results`.
+#: Script that scrolls to an element, and shortens paths so that they begin at `results`.
 TO_TOP = """at => {
   for (const path of document.querySelectorAll("code"))
     path.textContent = path.textContent.replace(/^.*(?=results)/, "");
@@ -33,7 +33,7 @@ def look(browser: Browser, page_file: Path, mode: str, at: str, frame: float) ->
     """Return a picture of the page in a browser.
 
     Args:
-        browser: Browser.
+        browser: Browser of Playwright.
         page_file: File of the page.
         mode: "light" or "dark".
         at: Selector of the element at the top.

@@ -103,10 +103,10 @@ def build(target: Path) -> int:
     doctrees = target.parent / f"{target.name}_doctrees"
     state, last = _state(pages), doctrees / "state.txt"
     if not last.exists() or last.read_text() != state:
-        (doctrees / "environment.pickle").unlink(missing_ok=True)  # all is read again
+        (doctrees / "environment.pickle").unlink(missing_ok=True)  # read all pages again
     words = ["-W", "--keep-going", "-q", "-d", str(doctrees)]
     status = sphinx([*words, "-c", str(PROJECT / "docs" / "site"), str(pages), str(target)])
-    if status:  # what is not read again is not warned of again
+    if status:  # read all pages next time, so that Sphinx repeats its warnings
         (doctrees / "environment.pickle").unlink(missing_ok=True)
     _write(last, state)
     return status

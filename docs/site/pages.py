@@ -40,7 +40,7 @@ def write_pages(folder: Path, write: Callable[[Path, str], None]) -> list[Path]:
 
 def commands() -> str:
     """Return the page with the help of every command."""
-    os.environ["COLUMNS"] = "92"  # argparse folds its lines there
+    os.environ["COLUMNS"] = "92"  # width at which argparse wraps lines
     lines = ["# Commands", "", "The output of `plastigran COMMAND --help`.", ""]
     return "\n".join([*lines, *_subcommands(parser(), "##")])
 

@@ -183,7 +183,7 @@ class Contact:
         Source: Thornton 1997, J. Appl. Mech. 64:383, eq. 22.
 
         Raises:
-            ValueError: No body has a mass, or `yield_overlap` raises the error.
+            ValueError: No body has a mass; or as for `yield_overlap`.
         """
         return sqrt(2 * self._yield()[2] / self.mass_eff)
 

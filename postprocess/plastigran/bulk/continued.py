@@ -28,8 +28,8 @@ def finish_bulk(
         show: Whether to show a progress bar.
 
     Raises:
-        ValueError: `folder` contains a run with other settings, or `run_bulk` raises the error.
-        EngineError: `run_bulk` raises the error.
+        ValueError: `folder` contains a run with other settings; or as for `run_bulk`.
+        EngineError: As for `run_bulk`.
     """
     for part in _parts(folder):
         if not (part / RECORD).is_file():  # interrupted before LIGGGHTS started

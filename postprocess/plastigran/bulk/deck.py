@@ -113,7 +113,7 @@ class BulkDeck:
     ledger: str = word("energy balance", ("on", "off"))
 
     def __init_subclass__(cls) -> None:
-        """Reject a setting that has the name of an inherited property or method, as `grains`."""
+        """Reject a setting with the name of an inherited property or method, such as `grains`."""
         for name in cls.__annotations__:
             inherited = getattr(super(cls, cls), name, None)
             if isinstance(inherited, property) or callable(inherited):
@@ -286,7 +286,11 @@ class FlowDeck(GranularDeck):
     settling: float = number("time before the flow is measured", "s", 0, lower_allowed=True)
 
     def check(self) -> None:
-        """Check that `duration` exceeds `settling` by at least `steady_rows` rows."""
+        """Check that `duration` exceeds `settling` by at least `steady_rows` rows.
+
+        Raises:
+            ValueError: The condition is violated; the message names the setting.
+        """
         require(self, "settling", upper=self.duration, upper_allowed=True)
         require(self, "rows", lower=self.steady_rows)
         latest = self.duration * (1 - self.steady_rows / self.rows)

@@ -29,7 +29,7 @@ FALL_SPEED = 1.33
 NEW_DECK_RADIUS = Declaration("radius", "m", 0.0005, 0.006, True, True)
 #: Further files that are copied to the folder of the new deck.
 PARTS = ("energy_ledger.in", "meshes/plate.stl", "template/fresh.in", "template/checkpoint.in")
-#: Names of these files without suffix. Neither the deck nor the material may have one of them.
+#: Names of these files without suffix. The deck and the material must not have these names.
 USED_NAMES = [Path(file).stem for file in PARTS]
 
 

@@ -89,7 +89,8 @@ def contact_columns(run: BulkRun, frame: Frame) -> dict[str, np.ndarray]:
 def time_of(run: BulkRun, step: int) -> float:
     """Return the time of the frame at a step [s], or the step number if the log has no time.
 
-    If a deck restarts its step count, LIGGGHTS overwrites the frames of earlier steps.
+    If a deck restarts its step count, several log lines have the same step. The latest line gives
+    the time, because LIGGGHTS overwrites the frame of an earlier line.
     """
     if "time" not in run.series:
         return float(step)

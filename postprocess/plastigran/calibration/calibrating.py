@@ -75,20 +75,20 @@ def calibrate(
         yield_strength: Yield strength sigma_Y [Pa], if known.
         hardness: Vickers hardness HV as a number, or a text such as "45HRC" or "200HB".
         leeb: Reading of a rebound tester: HLD as a number, or a text such as "750HLG".
-        drops: Drop test, or the path of its file. For a file, the ball is of the metal and the
-            plate is rigid.
+        drops: Drop test, or the path of its file. If a file is given, the ball consists of the
+            metal and the plate is rigid.
         plastic_modulus: Plastic modulus H, the slope of stress versus plastic strain [Pa]; 0 for a
             perfectly plastic metal.
         rate_coefficient: Relative increase of yield strength per e-fold increase of strain rate,
-            with the strength given at 1/s. For steel with a hardness or rebound hardness, the
-            default is the value of steel: the strain rates of these tests differ much from the
-            strain rates of a simulation. The default is 0 otherwise.
+            with the strength given at 1/s. For steel with a measured hardness or rebound hardness,
+            the default is the value of steel, because the strain rates of these tests differ much
+            from the strain rates of a simulation. Otherwise, the default is 0.
         scatter: Relative standard deviation of one measured restitution. The default is 0.02 for
             drops, and the scatter of conversions for rebound hardness.
         law: Name of the law.
         speeds: Slowest and fastest impact speed of the intended simulation [m/s], for a sphere of
-            the metal on a rigid plane. The default is the range of the measurement, or 1 to 300
-            yield speeds without measured impacts.
+            the metal on a rigid plane. The default is the range of the measured impacts, or 1 to
+            300 yield speeds if no impacts were measured.
         force_ratio: Largest force / yield force of a finite-element fit of `vu_quoc_zhang`; None
             to omit the finite elements.
         radius: Radius of the finite-element sphere [m].
@@ -103,7 +103,7 @@ def calibrate(
         OSError: A file cannot be read.
 
     Warns:
-        UserWarning: Measurements scatter about the law more than stated.
+        UserWarning: Measurements scatter about the law more than `scatter` states.
         SmallStrainWarning: As for `press_sphere`.
 
     Sources: see `hardness`, `physics.rebound_hardness` and `inversion` for each method.

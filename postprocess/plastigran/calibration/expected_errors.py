@@ -24,7 +24,7 @@ class ExpectedError:
     """Errors of a law compared with finite elements, as fractions; None if unknown.
 
     Attributes:
-        regime: Kinds of contact in the comparison, names in `KINDS`. If there is no comparison, the
+        regime: Names in `KINDS` of the kinds of contact that were compared; if none were, the
             reason.
         speed_ratio: Smallest and largest impact speed / yield speed.
         restitution, restitution_largest: Rms error and largest error of the coefficient of

@@ -25,7 +25,7 @@ from scipy.optimize import brentq, minimize_scalar
 
 CONFIDENCE = 0.95
 GRID = 48  # number of strengths for the first search
-ELASTIC = 1 - 1e-6  # restitution from which an impact counts as elastic
+ELASTIC = 1 - 1e-6  # an impact with at least this restitution counts as elastic
 
 
 @attrs.frozen
@@ -114,7 +114,7 @@ def estimate_strength(
 def _first_positive(
     excess: Callable[[float], float], start: float, grid: np.ndarray
 ) -> float | None:
-    """Return the value at which `excess` first becomes positive along a grid; None without one."""
+    """Return the value at which `excess` first becomes positive along a grid, or None."""
     inside = start
     for outside in grid:
         if excess(outside) > 0:

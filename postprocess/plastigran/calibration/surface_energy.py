@@ -3,9 +3,9 @@
 
 For `jkr`, the surface energy Gamma follows from a closed form (Johnson, Kendall & Roberts 1971,
 Proc. R. Soc. Lond. A 324:301): the pull-off force 3/2 pi Gamma R*, or the sticking speed of
-`physics.adhesion.jkr_sticking_speed`. For a law that yields, the surface energy is found
-numerically: the law then has the measured pull-off force after a given load, or the measured
-sticking speed.
+`physics.adhesion.jkr_sticking_speed`. For a law that yields, a numerical search finds the surface
+energy at which the law has the measured pull-off force after a given load, or the measured sticking
+speed.
 """
 
 from __future__ import annotations
@@ -35,7 +35,8 @@ from plastigran.physics.adhesion import jkr_surface_energy, sticking_speed
 DEFAULT_LAW = "jkr"
 #: Smallest surface energy of the search [J/m^2].
 LEAST = 1e-9
-#: Distance between atoms [m]. `jkr` is valid if the elastic stretching is much larger.
+#: Distance between atoms [m]. `jkr` is valid if the elastic stretching (R* Gamma^2/E*^2)^(1/3) of
+#: the contact is much larger.
 ATOMS = 3e-10
 
 _FORCE = Declaration("pull-off force", "N", 0)

@@ -17,7 +17,7 @@ from plastigran.fem.settings import Settings
 
 
 def add_metal(command: argparse.ArgumentParser, radius: float | None = 0.1) -> None:
-    """Add the flags of `add_elastic` and of yield. The user must give --elastic or --yield."""
+    """Add the flags of `add_elastic`, and flags for yield. --elastic or --yield is required."""
     add_elastic(command, radius)
     strength = command.add_mutually_exclusive_group(required=True)
     strength.add_argument(

@@ -46,8 +46,8 @@ def run_evidence(evidence: Evidence, head: str, arguments: argparse.Namespace) -
         arguments: Arguments of `add_evidence_arguments`.
 
     Raises:
-        ValueError: The folder contains results, the pages do not match the tables, or
-            `Evidence.run` raises the error.
+        ValueError: The folder contains results, or the pages do not match the tables; or as for
+            `Evidence.run`.
         EngineError: LIGGGHTS stopped with an error.
     """
     # Import here, because matplotlib is slow to load.

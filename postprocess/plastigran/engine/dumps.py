@@ -24,7 +24,7 @@ PREFIXES = ("c_", "f_", "v_")
 
 
 class DumpError(ValueError):
-    """A file has the wrong content; the message names file, line and what was found."""
+    """A file has the wrong content; the message names the file, the line and its content."""
 
 
 class TruncatedFileWarning(UserWarning):
@@ -93,6 +93,9 @@ def read_tables(
     path: str | Path, rows: int | None
 ) -> Iterator[tuple[str, list[int], pd.DataFrame]]:
     """Read complete frames in parts of at least `rows` rows; all in one part if `rows` is None.
+
+    Raises:
+        DumpError: The columns change, rows have different lengths, or no frame is complete.
 
     Yields:
         Label of the dump, number of rows of each frame, and table of the frames.

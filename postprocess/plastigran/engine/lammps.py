@@ -57,7 +57,7 @@ def lammps_environment() -> dict[str, str]:
 def lammps_start(ranks: int = 1) -> list[str]:
     """Return the first words of the command line: LAMMPS, after `mpiexec` for several ranks.
 
-    The `mpiexec` in the folder of LAMMPS is used, or that on the path if there is none.
+    The `mpiexec` in the folder of LAMMPS is used; if there is none, the one on PATH.
     """
     program = lammps_path()
     beside = program.parent / "mpiexec"

@@ -220,7 +220,7 @@ def read_thermo(path: str | Path) -> pd.DataFrame:
 
 
 def thermo_table(path: str | Path, runs: list[LoggedRun]) -> pd.DataFrame:
-    """Return the table of `read_thermo` from the runs of a log."""
+    """Return the table of `read_thermo` from the runs of a log; errors as for `read_thermo`."""
     if not runs:
         raise DumpError(f"{path}: no thermodynamic output (no line starting with 'Step')")
     if not runs[-1].finished:

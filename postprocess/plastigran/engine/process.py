@@ -42,7 +42,11 @@ def own_inputs() -> Path:
 
 
 def inputs_folder() -> Path:
-    """Return the folder of the input scripts: $PLASTIGRAN_INPUTS, or `own_inputs()`."""
+    """Return the folder of the input scripts: $PLASTIGRAN_INPUTS, or `own_inputs()`.
+
+    Raises:
+        EngineError: The folder contains no input scripts.
+    """
     folder = Path(os.environ.get("PLASTIGRAN_INPUTS", own_inputs())).absolute()
     if not (folder / "collision").is_dir():
         raise EngineError(f"no input scripts in {folder}. Set PLASTIGRAN_INPUTS to their folder")
@@ -50,7 +54,11 @@ def inputs_folder() -> Path:
 
 
 def engine_path() -> Path:
-    """Return the path of the launcher: $PLASTIGRAN_ENGINE, the build, or the first on PATH."""
+    """Return the launcher: $PLASTIGRAN_ENGINE, the file in `build`, or the first on PATH.
+
+    Raises:
+        EngineError: The launcher is missing.
+    """
     named = os.environ.get("PLASTIGRAN_ENGINE")
     path = Path(named).absolute() if named else PROJECT / "build" / "liggghts-plastigran"
     if os.access(path, os.X_OK):
@@ -220,8 +228,8 @@ def run_deck(
     if not deck.is_file():
         raise EngineError(f"the deck {deck} does not exist")
     words = command(deck, variables, folder, ranks, host)
-    # Write the screen output to a file, because with a pipe a helper process of MPI that outlives
-    # the host would block this process. Start the host in a new session, so that only this process
+    # Write the screen output to a file. With a pipe, this process would wait for helper processes
+    # of MPI, which may outlive the host. Start the host in a new session, so that only this process
     # receives Ctrl-C from the terminal and then stops the host.
     log, screen = folder / host.log, folder / "screen.txt"
     with (

@@ -79,7 +79,11 @@ def find_frames(folder: str | Path) -> list[Frame]:
 
 
 def load_pyvista():
-    """Import pyvista, configured for machines without a screen."""
+    """Import pyvista, configured for machines without a screen.
+
+    Raises:
+        SnapshotError: pyvista is not installed.
+    """
     if not os.environ.get("DISPLAY"):
         os.environ.setdefault("VTK_DEFAULT_OPENGL_WINDOW", "vtkEGLRenderWindow")
     try:

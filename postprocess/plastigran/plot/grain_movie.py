@@ -37,8 +37,8 @@ def save_grain_movie(
         progress: Whether to show a progress bar.
 
     Raises:
-        SnapshotError: `draw` raises the error, the file type is unknown, no frame has grains or
-            contacts, or a library is not installed.
+        SnapshotError: The file type is unknown, no frame has grains or contacts, or a library is
+            not installed; or as for `draw`.
 
     Warns:
         UserWarning: A frame is omitted. The warning names its damaged file.

@@ -69,7 +69,7 @@ def publish(
         folder: Folder of the pages. The path `evidence.pictures` is relative to this folder.
 
     Raises:
-        ValueError: `read_pages` raises the error.
+        ValueError: As for `read_pages`.
     """
     pages = read_pages(evidence, folder)
     for path, text in pages.items():

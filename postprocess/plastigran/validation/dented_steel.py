@@ -60,7 +60,7 @@ def table() -> pd.DataFrame:
 
 
 def computation(hardness: float) -> Callable[[], Pressing]:
-    """Return a function that computes the ball on steel of a Vickers hardness, HV."""
+    """Return a function that computes the ball on steel of a Vickers hardness [HV]."""
     tester, strength = TESTERS["D"], float(flow_stress(hardness))
     ball = ElasticPlastic(
         youngs_modulus=tester.ball.youngs_modulus, poissons_ratio=tester.ball.poissons_ratio
@@ -79,7 +79,15 @@ def computation(hardness: float) -> Callable[[], Pressing]:
 
 
 def row(hardness: float, pressing: Pressing) -> dict[str, float]:
-    """Return the results for the impact of device D, interpolated between the unloadings."""
+    """Return the results for the impact of device D, interpolated between the unloadings.
+
+    Args:
+        hardness: Vickers hardness of the steel [HV].
+        pressing: Compression of the ball on this steel.
+
+    Returns:
+        Values by the columns of `table`.
+    """
     tester, unloadings = TESTERS["D"], pressing.unloadings
     work = np.log(unloadings["work_loading"] / _energy(tester))
 

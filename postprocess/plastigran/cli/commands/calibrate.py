@@ -49,17 +49,17 @@ METAL = "metal"
 FIGURES = (".png", ".svg", ".pdf")
 #: Yield strength that stands for a material without yield [Pa].
 NO_YIELD = 1e30
-#: Attributes of the parsed values of the flags that determine the yield strength, by flag.
+#: Flags that determine the yield strength, each with the name of its parsed argument.
 MEASURED = {
     "--yield": "yield_strength",
     "--hardness": "hardness",
     "--leeb": "leeb",
     "--drop": "drop",
 }
-#: Attributes of the parsed values of further flags that apply only to a calibration of the yield
+#: Names of the parsed arguments of further flags that apply only to a calibration of the yield
 #: strength.
 OF_STRENGTH = ("ball", "ball_radius", "rate_coefficient", "scatter", "speeds", "force_ratio")
-#: Attributes of parsed values that are passed to `calibrate` unchanged.
+#: Names of the parsed arguments that are passed to `calibrate` unchanged.
 PASSED_ON = (
     *("density", "yield_strength", "hardness", "leeb", "plastic_modulus", "rate_coefficient"),
     *("scatter", "speeds", "strain"),
@@ -205,7 +205,7 @@ def _metal(arguments: argparse.Namespace) -> CalibratedMetal:
     """Calibrate the yield strength of the metal.
 
     Raises:
-        ValueError: No measurement or more than one is given, or `calibrate` raises the error.
+        ValueError: No measurement or more than one is given; or as for `calibrate`.
     """
     measured = [name for name in MEASURED if getattr(arguments, MEASURED[name]) is not None]
     if len(measured) != 1:
@@ -231,8 +231,7 @@ def _adhesion(arguments: argparse.Namespace) -> CalibratedAdhesion:
     """Calibrate the surface energy of the bodies.
 
     Raises:
-        ValueError: The radius or a yield strength is missing, or `calibrate_adhesion` raises the
-            error.
+        ValueError: The radius or a yield strength is missing; or as for `calibrate_adhesion`.
     """
     law = arguments.law or ADHESIVE_LAW
     if arguments.radius is None:

@@ -134,7 +134,11 @@ class BenchmarkImpact(Experiment):
 
     @cached_property
     def settings(self) -> dict[str, str]:
-        """Variables of the deck as text, with the values of this case."""
+        """Variables of the deck as text, with the values of this case.
+
+        Raises:
+            ValueError: The deck lacks a variable of the case.
+        """
         defaults = index_variables(folder() / f"{self.deck_name}.in")
         changes = {name: str(value) for name, value in self.variables().items()}
         if unknown := changes.keys() - defaults.keys():
@@ -142,7 +146,15 @@ class BenchmarkImpact(Experiment):
         return defaults | changes
 
     def deck_number(self, name: str, default: float | None = None) -> float:
-        """Return a variable of the deck as a number; a reference ${NAME} is resolved."""
+        """Return a variable of the deck as a number; a reference ${NAME} is resolved.
+
+        Args:
+            name: Name of the variable.
+            default: Value for a deck without this variable; None to require the variable.
+
+        Raises:
+            ValueError: The deck lacks a required variable.
+        """
         if name not in self.settings and default is not None:
             return default
         if name not in self.settings:

@@ -31,7 +31,7 @@ from plastigran.physics.modes import sphere_modes
 from plastigran.report.base import add_difference
 
 KHZ, MICRO = 1e-3, 1e6
-NEAR = 0.01  # largest relative distance between a mode and its peak
+NEAR = 0.01  # largest relative difference between the frequencies of a mode and of its peak
 
 
 def impacts(computed: Computed) -> pd.DataFrame:

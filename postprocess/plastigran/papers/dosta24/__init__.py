@@ -9,7 +9,8 @@ from plastigran.papers.base import Paper
 from plastigran.papers.dosta24 import drum, impact, silo
 from plastigran.report.base import Findings
 
-#: Modules of the cases by name. Each has `compute`, and names of its results with their functions.
+#: Modules of the cases by name. Each module has `compute`, and the functions of its tables and
+#: figures by name, `TABLES` and `FIGURES`.
 CASES = {"impact": impact, "silo": silo, "drum": drum}
 
 
@@ -22,7 +23,7 @@ def paper(case: str | None = None, folder: Path | None = None, **options: object
         options: Further arguments of `compute` in the modules of the cases.
 
     Raises:
-        ValueError: The number of grains is given for another case than impact.
+        ValueError: The number of grains is given for a case other than impact.
     """
     if "grains" in options and case != "impact":
         raise ValueError("--grains is an option of --case impact. Add --case impact")

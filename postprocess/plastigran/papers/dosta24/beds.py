@@ -14,8 +14,8 @@ from plastigran.bulk.outcome import BulkRun
 from plastigran.calibration.softening import soften
 from plastigran.materials import read_material
 
-#: Settings of the contacts by label. LIGGGHTS' own hertz has the prescribed restitution; the law
-#: thornton has a yield strength instead.
+#: Settings of the contacts by label. LIGGGHTS' own `hertz` prescribes the restitution of the
+#: benchmark; the law `thornton` has a yield strength instead.
 CONTACTS = {
     "hertz": {"law": "hertz", "ledger": "off"},
     "thornton": {"law": "thornton"},
@@ -23,9 +23,9 @@ CONTACTS = {
 
 
 def softened_grains(factor: float) -> dict[str, float]:
-    """Return the settings of the grains M1 with `factor` times their Young's modulus.
+    """Return settings of softened grains M1; `factor` is softened / original modulus [-].
 
-    With a yield strength, their restitution is as before.
+    The yield strength is scaled so that the restitution of laws with yield stays the same.
     """
     grains = soften(read_material("grain_m1"), factor)
     return {"youngs_modulus": grains.youngs_modulus, "yield_strength": grains.yield_strength}
@@ -65,10 +65,11 @@ def run_beds(
 
 
 def energy_table(cases: Iterable[tuple[dict[str, object], Sequence[BulkRun]]]) -> pd.DataFrame:
-    """Return the energy at the end of runs [J], and its terms in per cent of it.
+    """Return the energy at the end of runs [J], and each of its terms in per cent.
 
     Args:
-        cases: Names of a case by column, and its runs. Runs without energy balance have no row.
+        cases: For each case, its identifying columns and its runs with several beds, which are
+            averaged. Cases without energy balance have no row.
     """
     rows = []
     for names, runs in cases:

@@ -22,8 +22,8 @@ GRAINS = softened_grains(SOFTENING) | {
     "large_youngs_modulus": 5e8 * SOFTENING,
     "large_yield_strength": 3.21e6 * SOFTENING ** POWERS["yield_strength"],
 }
-#: The time step is 25 times longer than in the benchmark. The run covers half a circulation of the
-#: bed.
+#: Settings of all runs. The time step is 25 times as long as in the benchmark. The run covers half
+#: a circulation of the bed.
 SOFT = GRAINS | {"timestep": 2e-5, "duration": 1.0, "rows": 50, "checkpoints": 10}
 #: A small drum for a short time. Its results are not comparable with the benchmark.
 COARSE = GRAINS | {"timestep": 2e-5, "duration": 0.2, "rows": 20, "checkpoints": 2}
@@ -67,10 +67,11 @@ def compute(
 
 
 def zones(data: dict[str, list[BulkRun]]) -> pd.DataFrame:
-    """Return the numbers of grains in both zones over time, beside other codes.
+    """Return the numbers of grains in both zones over time, compared with other codes.
 
-    The times are every second one for which LIGGGHTS and MUSEN are both published. The last row of
-    each quantity is the root mean square difference from the mean of both, over all these times.
+    The rows show every second time at which both LIGGGHTS and MUSEN are published. The last row of
+    each quantity is the root mean square difference from the mean of these two codes, over all
+    published times.
     """
     series = {label: _mean([run.series for run in runs]) for label, runs in data.items()}
     end = min(table["time"].iloc[-1] for table in series.values())
@@ -110,12 +111,12 @@ def _at(table: pd.DataFrame, column: str, time: float | np.ndarray) -> np.ndarra
 
 
 def energies(data: dict[str, list[BulkRun]]) -> pd.DataFrame:
-    """Return the forms of the energy at the end of the runs with an energy balance."""
+    """Return the energy terms at the end of the runs that have an energy balance."""
     return energy_table(({"law": label}, runs) for label, runs in data.items())
 
 
 def zones_figure(data: dict[str, list[BulkRun]]) -> Figure:
-    """Draw the numbers of small and large grains in both zones over time, beside other codes."""
+    """Draw the numbers of small and large grains in both zones versus time, with other codes."""
     with styled():
         figure, axes = subplots(2, 2, figsize=(9.2, 6.4), sharex=True)
         for axis, (column, quantity) in zip(axes.flat, COUNTS.items(), strict=True):

@@ -22,12 +22,12 @@ TIMES = (0.03, 0.05, 0.1)
 EIGHT_CODES_BED = 25000
 #: Numbers of grains of the published beds.
 PUBLISHED_BEDS = (25000, 50000, 100000)
-#: Numbers of beds by contacts and number of grains.
+#: Number of random beds, by number of grains and label of `CONTACTS`.
 BEDS = {25000: {"hertz": 2, "thornton": 1}}
 #: Settings of all runs. The ball flies freely before the end. The time step is twice that of the
 #: paper.
 FULL = {"timestep": 1e-6, "duration": 0.05, "rows": 100}
-#: Settings of a quick look.
+#: Number of grains and settings of a coarse run.
 COARSE_GRAINS = 800
 COARSE = {"length": 0.02, "width": 0.015, "ball_radius": 0.003, "ball_height": 0.03}
 COARSE |= {"timestep": 1e-6, "duration": 0.012, "rows": 60, "checkpoints": 2}
@@ -92,11 +92,11 @@ def displacement_at(time: float, run: BulkRun) -> float:
 
 
 def impact(data: Runs) -> pd.DataFrame:
-    """Return the displacement of the ball in mm at `TIMES`, and its largest depth.
+    """Return the displacement of the ball at `TIMES`, and its largest depth [mm].
 
-    A column of a law is the mean over our beds; "deviation" is the standard deviation of the mean.
-    The columns of the eight codes are the lowest and highest mean of a code. The last columns are
-    runs from the published bed.
+    The column of a law is the mean over our random beds; its "deviation" is the standard deviation
+    of this mean. "codes, lowest" and "codes, highest" are the extremes of the mean values of the
+    eight codes. The last columns are the published runs of other codes with the published bed.
     """
     rows = []
     for count in dict.fromkeys(count for count, _ in data):
@@ -126,21 +126,21 @@ def _measured(run: BulkRun, time: float | None) -> float:
 
 
 def _published(table: pd.DataFrame, time: float | None) -> float:
-    """Return the same of a published trajectory with columns time [s] and displacement [m]."""
+    """Return the same for a published trajectory with columns time [s] and displacement [m]."""
     if time is None:
         return float(table["displacement"].min())
     return float(np.interp(time, table["time"], table["displacement"]))
 
 
 def energies(data: Runs) -> pd.DataFrame:
-    """Return the energy of ball and bed at the end [J], and its terms in per cent of it."""
+    """Return the energy of ball and bed at the end of the runs [J], and its terms in per cent."""
     return energy_table(
         ({"grains": count, "law": label}, runs) for (count, label), runs in data.items()
     )
 
 
 def impact_figure(data: Runs) -> Figure:
-    """Draw the displacement of the ball over time among the eight codes."""
+    """Draw the displacement of the ball versus time, compared with the eight codes."""
     counts, labels = (list(dict.fromkeys(names)) for names in zip(*data, strict=True))
     with styled():
         figure, axes = subplots(1, len(counts), figsize=(4.6 * len(counts), 3.8), squeeze=False)
@@ -162,7 +162,7 @@ def impact_figure(data: Runs) -> Figure:
 
 
 def _draw_published(axis: Axes, count: int) -> None:
-    """Draw the eight codes as a band of mean and deviation, and the runs from the published bed."""
+    """Draw the band of the eight codes, and the published runs with the published bed."""
     if count == EIGHT_CODES_BED:
         codes = eight_codes().values()
         time = next(iter(codes))["time"]

@@ -17,15 +17,15 @@ from plastigran.plot.style import COLOURS, styled, subplots
 
 #: Mean discharge rates of the eight codes by orifice, in thousand grains per second.
 RATES = {"large": 23.2, "small": 7.7}
-#: Softened grains, at a time step nine times longer than in the benchmark. With a factor of 1/500,
-#: the rate would be 5 % higher. The run ends when the rate is measured.
+#: Settings of all runs: softened grains, and a time step nine times as long as in the benchmark. A
+#: softening factor of 1/500 would raise the rate by 5 %. The run ends when the rate is measured.
 SOFT = softened_grains(0.01) | {"timestep": 1.35e-5, "duration": 0.25, "settling": 0.1}
 SOFT |= {"rows": 25, "checkpoints": 5}
-#: Contacts by orifice.
+#: Labels of `CONTACTS` by orifice.
 LAWS = {"large": ("hertz", "thornton"), "small": ("hertz",)}
 #: Line styles of other codes.
 STYLES = {"LIGGGHTS": "--", "MUSEN": ":"}
-#: Settings of a quick look.
+#: Settings of a coarse run.
 COARSE = softened_grains(0.002) | {"timestep": 4e-5, "duration": 0.1, "settling": 0.04}
 COARSE |= {"rows": 50, "checkpoints": 2, "grain_count": 3000}
 
@@ -63,7 +63,7 @@ def compute(
 def rates(data: Runs) -> pd.DataFrame:
     """Return the discharge rates in thousand grains per second: one row per orifice.
 
-    The rates of other codes from the published filling are measured in the same time as ours.
+    The rates of other codes with the published filling are measured in the same interval of time.
     """
     rows = []
     for orifice in dict.fromkeys(orifice for orifice, _ in data):
@@ -87,14 +87,14 @@ def _rate(series: pd.DataFrame, start: float, end: float) -> float:
 
 
 def energies(data: Runs) -> pd.DataFrame:
-    """Return the forms of the energy at the end of the runs with an energy balance."""
+    """Return the energy terms at the end of the runs that have an energy balance."""
     return energy_table(
         ({"orifice": orifice, "law": label}, runs) for (orifice, label), runs in data.items()
     )
 
 
 def silo_figure(data: Runs) -> Figure:
-    """Draw the numbers of grains in the silo over time beside other codes."""
+    """Draw the numbers of grains in the silo versus time, compared with other codes."""
     with styled():
         figure, axes = subplots(1, 2, figsize=(9.2, 3.8))
         end = max(run.series["time"].iloc[-1] for runs in data.values() for run in runs)

@@ -26,7 +26,7 @@ FINITE_ELEMENTS = {"color": "k", "lw": 1.6, "label": "finite elements"}  # style
 
 
 def shades(forces: np.ndarray) -> np.ndarray:
-    """Return one color (RGBA) for each of some forces."""
+    """Return one color for each of n forces, (n, 4) RGBA."""
     return matplotlib.colormaps["viridis"](np.linspace(0.05, 0.85, len(forces)))
 
 

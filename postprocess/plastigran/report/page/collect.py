@@ -39,7 +39,9 @@ class Results:
 
 
 def collect(folders: Iterable[str | Path]) -> list[Results]:
-    """Return the results in folders and subfolders, sorted by category, argument and start time.
+    """Return the results in folders and subfolders.
+
+    They are sorted by category, then in the order of `folders`, then by start time.
 
     Raises:
         ValueError: A folder does not exist, or no folder is given.

@@ -137,8 +137,8 @@ def _left_out(damaged: list[Path]) -> list[str]:
 def _select(files: list[Frame], most: int) -> tuple[list[Frame], int]:
     """Select frames with at most `MOST_GRAINS` grains in total, including the first and last.
 
-    A frame has up to `most` grains. The function also returns a stride: the page contains one of
-    `stride` grains. The stride exceeds 1 only if a single frame has more than `MOST_GRAINS` grains.
+    A frame has up to `most` grains. The function also returns a stride: the page contains every
+    `stride`-th grain. The stride exceeds 1 only if one frame has more than `MOST_GRAINS` grains.
     """
     count = max(1, MOST_GRAINS // max(most, 1))
     stride = max(1, -(-most // MOST_GRAINS))

@@ -25,8 +25,8 @@ INTEGRATOR = 1e-3
 #: Largest allowed relative difference between the plastic work of the grains and of the energy
 #: balance. Only the plastic work in the last step of pouring may differ.
 STEP = 1e-4
-#: Required values of settings for target plate. With them, each shot hits the plate once, without
-#: gravity and without contact with other shots.
+#: Settings that must have these values for the target `plate`. Each shot then hits the plate once,
+#: without gravity and without contact with other shots.
 PLATE = {"shot_layers": 1, "gravitational_acceleration": 0, "bed_layers": 0, "filling": 0}
 
 

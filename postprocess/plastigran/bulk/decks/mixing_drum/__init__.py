@@ -47,7 +47,11 @@ class MixingDrum(GranularDeck):
     duration: float = number("duration of the run", "s", 0)
 
     def check(self) -> None:
-        """Check that the grains fit into the drum."""
+        """Check that the grains fit into the drum and fill at least one layer of each size.
+
+        Raises:
+            ValueError: The condition is violated; the message names the setting.
+        """
         # The length of the shell mesh equals the drum radius.
         require(self, "length", lower=4 * self.large_radius, upper=self.drum_radius)
         require(self, "drum_radius", lower=4 * self.large_radius)

@@ -52,7 +52,11 @@ class Silo(GranularDeck):
     settling: float = number("time before the rate is measured", "s", 0, lower_allowed=True)
 
     def check(self) -> None:
-        """Check that the grains fit into the silo, and that settling ends before the run."""
+        """Check that the grains fit into the silo, and that settling ends before the run.
+
+        Raises:
+            ValueError: A condition is violated; the message names the setting.
+        """
         require(self, "settling", upper=self.duration)
         if self.filling_height > TOP:
             raise ValueError(
