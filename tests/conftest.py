@@ -96,8 +96,10 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
 
 @pytest.fixture
 def start_plastigran():
-    """Starts the command `plastigran` as at a terminal: Ctrl-C reaches it even if these tests run
-    in the background of a shell. The fixture kills the processes when the test ends.
+    """`start_plastigran(*words)` starts the command `plastigran` as at a terminal.
+
+    Ctrl-C reaches the command even if these tests run in the background of a shell. The fixture
+    kills its processes when the test ends.
     """
     started = []
 
@@ -122,8 +124,9 @@ def start_plastigran():
 
 @pytest.fixture(scope="session")
 def law_between(aluminium):
-    """Makes a law between two bodies, `law_between(name, pair, length, **options)`: `length` [m] is
-    the length of cylinders and the thickness of bodies, for laws that need them.
+    """`law_between(name, pair, length, **options)` makes a law between two bodies.
+
+    `length` [m] is the length of cylinders and the thickness of bodies, for laws that need them.
     """
 
     @cache
@@ -170,7 +173,7 @@ def workers_folder(tmp_path_factory) -> Path:
 
 @pytest.fixture(scope="session")
 def bulk_run(workers_folder):
-    """Runs a bulk deck, `bulk_run(deck, settings)`, once for all tests and pytest's workers.
+    """`bulk_run(deck, settings)` runs a bulk deck, once for all tests and pytest's workers.
 
     Tests must not change the folder or the returned object.
     """
@@ -191,7 +194,7 @@ def bulk_run(workers_folder):
 
 @pytest.fixture(scope="session")
 def brief_run(bulk_run):
-    """The short run that a bulk deck declares, `brief_run(deck, label)`, with two frames."""
+    """`brief_run(deck, label)` returns the short run that a bulk deck declares, with two frames."""
 
     def run(deck: str, label: str = "") -> BulkRun:
         return bulk_run(deck, {**deck_class(deck).briefs[label].settings, "frames": 2})

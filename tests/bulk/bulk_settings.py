@@ -5,13 +5,13 @@ from __future__ import annotations
 
 from plastigran.bulk.decks import deck_class
 
-#: Settings of a cooling gas with many checkpoints that takes a second.
+#: Settings of a cooling gas with many checkpoints. The run takes a second.
 SHORT_GAS = {"side": 5, "duration": 24, "rows": 24, "checkpoints": 12, "mixing": 1}
-#: Flows that become steady. Bagnold's profile holds for a flow much deeper than a layer of grains.
-#: For a depth of nine cells and six seeds, the deviation from the profile was 0.009 to 0.026, and
-#: the error of the power balance 0.012 to 0.032. The drum is ten grains wide, holds about a
-#: hundred, and turns fast, so that they flow evenly. The hopper holds 2080 grains; half of them
-#: flow out in half a second.
+#: Settings of flows that become steady. Bagnold's profile holds for a flow much deeper than a layer
+#: of grains. For a depth of nine cells and six seeds, the deviation from the profile was 0.009 to
+#: 0.026, and the error of the power balance 0.012 to 0.032. The drum is ten grains wide, holds
+#: about 100 grains, and turns fast, so that the grains flow evenly. The hopper holds 2080 grains;
+#: half of them flow out in half a second.
 STEADY_FLOWS = {
     "chute": {"length": 5, "width": 4, "depth": 9, "start_speed": 1.0, "angle": 25, "rows": 360}
     | {"duration": 1.8, "settling": 0.8, "checkpoints": 4},

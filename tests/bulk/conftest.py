@@ -16,7 +16,7 @@ from plastigran.bulk.template import write_deck
 
 @pytest.fixture(scope="session")
 def steady_flow(bulk_run):
-    """Runs a steady flow, `steady_flow(deck)`."""
+    """`steady_flow(deck)` runs the steady flow of a deck."""
 
     def run(deck: str) -> BulkRun:
         return bulk_run(deck, STEADY_FLOWS[deck])
@@ -26,13 +26,16 @@ def steady_flow(bulk_run):
 
 @pytest.fixture(scope="module")
 def short_gas(bulk_run) -> Path:
-    """Folder of a finished run on one rank."""
+    """Folder of a finished run of a gas on one rank."""
     return bulk_run("cooling_gas", SHORT_GAS).folder
 
 
 @pytest.fixture
 def cut_log(short_gas, tmp_path):
-    """Copies the run without its last lines of the log, as after a kill, `cut_log(lines)`."""
+    """`cut_log(lines)` copies the run and removes lines at the end of its log, as after a kill.
+
+    The last remaining line is incomplete.
+    """
 
     def cut(lines: int) -> Path:
         folder = Path(shutil.copytree(short_gas, tmp_path / "stopped"))
@@ -46,7 +49,7 @@ def cut_log(short_gas, tmp_path):
 
 @pytest.fixture
 def plain(tmp_path) -> Path:
-    """A deck in a folder with white space in its name, with its include and mesh."""
+    """User's deck in a folder with white space in its name, with its include and mesh."""
     folder = tmp_path / "my decks"
     (folder / "meshes").mkdir(parents=True)
     template = write_deck(tmp_path / "template", "thornton", "steel")

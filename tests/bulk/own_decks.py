@@ -6,7 +6,8 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
-#: A sphere falls on a plane of a mesh: no variables, no dt, long names in the log.
+#: A sphere falls on a plane mesh. The deck has no settings. Its log has long names and no time
+#: step.
 PLAIN = """
 # Stoß einer Kugel
 units si

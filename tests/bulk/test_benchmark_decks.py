@@ -40,7 +40,7 @@ def test_filling_of_the_silo_has_the_volume_fraction(count):
 
 
 def test_rate_of_a_steady_discharge():
-    """A line gives its slope; a run with too few rows gives none."""
+    """The rate of a linear discharge is its slope; a run with too few rows has no rate."""
     silo = deck("silo")
     time = np.linspace(0, 4, 41)
     series = pd.DataFrame({"time": time, "held": 1e5 - 23200 * time})
@@ -49,7 +49,7 @@ def test_rate_of_a_steady_discharge():
 
 
 def test_levels_of_the_drum():
-    """Half of the cross section fills the drum to its axis; the two layers fit below the axis."""
+    """A bed that fills half of the cross section reaches the axis; both layers lie below it."""
     drum = deck("mixing_drum")
     assert drum.level(pi * 0.1**2 / 2) == pytest.approx(0, abs=1e-12)
     assert -0.1 < drum.level(drum.areas[0]) < drum.level(sum(drum.areas)) < 0

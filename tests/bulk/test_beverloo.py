@@ -27,7 +27,10 @@ def test_rate_grows_with_the_power_five_halves_of_the_opening():
 
 
 def course(rate: float, packing: float = 0.6, last: float = 1.5) -> pd.DataFrame:
-    """Return a discharge of 1000 grains: at half the rate first, then steady, slower after half."""
+    """Return a discharge of 1000 grains with a steady part at `rate` [1/s].
+
+    The rate is half as large before the steady part, and decreases after half of the grains.
+    """
     time = np.arange(0, last, 0.005)
     start = (2 * 0.08 / GRAVITY) ** 0.5
     out = np.where(time < start, rate / 2 * time, rate * (time - start / 2))
@@ -36,7 +39,7 @@ def course(rate: float, packing: float = 0.6, last: float = 1.5) -> pd.DataFrame
 
 
 def test_steady_rate():
-    """Start and end do not count, and a discharge without scatter has no error."""
+    """The rate excludes start and end of the discharge; without scatter, its error is zero."""
     discharge = measure_discharge(course(800.0), 0.08, DIAMETER, DENSITY, GRAVITY, *SPHERES)
     assert discharge.rate == pytest.approx(800 * MASS, rel=1e-9)
     assert discharge.rate_error < 1e-9 * discharge.rate
@@ -50,7 +53,8 @@ def test_change_of_the_rate_differs_from_scatter():
     half = series["counted"].between(275, 500)
     series.loc[half, "counted"] = 275 + 0.9 * (series.loc[half, "counted"] - 275)
     discharge = measure_discharge(series, 0.08, DIAMETER, DENSITY, GRAVITY, *SPHERES)
-    # The halves may meet one row beside the change, which alters the difference by up to 5 %.
+    # The boundary of the halves may be one row beside the change of the rate, which alters the
+    # difference by up to 5 %.
     assert discharge.change == pytest.approx(-80 * MASS, rel=0.05)
     assert abs(discharge.change) > 4 * discharge.change_error
     steady = measure_discharge(course(800.0), 0.08, DIAMETER, DENSITY, GRAVITY, *SPHERES)
@@ -58,7 +62,7 @@ def test_change_of_the_rate_differs_from_scatter():
 
 
 def test_scatter_is_in_the_error():
-    """Grains leave independently, so the relative error of 500 is about 500^(-1/2)."""
+    """Grains leave independently, so the rate of 500 grains has an error of about 500^(-1/2)."""
     rng = np.random.default_rng(7)
     ratios = []
     for _ in range(100):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Checkpoints: which one is the newest usable one, and their checksums."""
+"""Checkpoints: selection of the newest usable one, and checksums."""
 
 from __future__ import annotations
 
@@ -36,14 +36,14 @@ def test_checkpoint_beyond_the_log_is_not_the_newest(short_gas, cut_log):
     """LIGGGHTS may still have been writing this checkpoint when it stopped."""
     stopped = cut_log(lines=8)
     steps = read_series(short_gas)["step"]
-    # The last complete line of 25 is number 15; every other line has a checkpoint.
+    # Of the log lines 0 to 24, number 15 is the last complete one. Even lines have a checkpoint.
     assert step_of(newest_checkpoint(stopped)) == steps[14]
     assert (stopped / f"checkpoint.{steps[16]}.restart").exists()
 
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_incomplete_checkpoint_is_not_the_newest(short_gas, ranks, tmp_path):
-    """A full disk cuts a checkpoint anywhere or fills it up with zeros, while the log continues.
+    """A full disk truncates a checkpoint or fills its rest with zeros, while the log continues.
 
     There are no checksums, as after a kill. Zeros after a complete file mean ranks without
     particles.
@@ -71,7 +71,7 @@ def test_incomplete_checkpoint_is_not_the_newest(short_gas, ranks, tmp_path):
 
 
 def test_missing_checkpoint_is_an_error(tmp_path):
-    """The log does not reach the first file; the second one is cut short."""
+    """A checkpoint beyond the log and an incomplete one do not count."""
     (tmp_path / "checkpoint.100.restart").write_bytes(b"half")
     with pytest.raises(EngineError, match="no complete checkpoint"):
         newest_checkpoint(tmp_path)
@@ -84,8 +84,7 @@ def test_missing_checkpoint_is_an_error(tmp_path):
 
 
 def test_other_files_are_ignored(copied):
-    """Files whose names contain no step do not count as checkpoints; `force` does not remove
-    them."""
+    """Files whose names contain no step are not checkpoints, and `force` does not remove them."""
     newest = newest_checkpoint(copied)
     for name in ("checkpoint.old.restart", "checkpoint.999999999.old.restart"):
         shutil.copy(newest, copied / name)
@@ -168,7 +167,7 @@ def test_failure_to_write_a_checksum_gives_one_warning(copied):
 
 
 def test_damaged_checkpoint_of_a_users_deck_is_refused(copied, tmp_path):
-    """Its path is relative to the folder of the deck."""
+    """The path of the checkpoint is relative to the folder of the deck."""
     file = checkpoints(copied)[0]
     file.write_bytes(file.read_bytes()[:-1] + b"!")
     deck = tmp_path / "own.in"

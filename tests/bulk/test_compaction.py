@@ -26,7 +26,7 @@ def pressed(brief_run) -> BulkRun:
 
 @pytest.fixture
 def press(pressed, tmp_path):
-    """Runs the deck with other settings."""
+    """`press(ranks, **changes)` runs the deck with changed settings."""
 
     def run(ranks: int = 1, **changes) -> BulkRun:
         settings = {**pressed.deck.briefs[""].settings, **changes}
@@ -36,8 +36,9 @@ def press(pressed, tmp_path):
 
 
 def test_loop(pressed):
-    """The punch reaches the set density; most of the densification is permanent, a part springs
-    back."""
+    """The punch reaches the set density. Most of the densification is permanent; a part springs
+    back.
+    """
     assert pressed.passed  # a check compares the work of the punch
     loop = loop_of(pressed)
     # The density changes by up to 2e-3 between two rows, one of which is next to the turn.
@@ -70,8 +71,8 @@ def test_stronger_grains_spring_back_more(pressed, press):
 def test_elastic_smooth_grains_recover(press):
     """Without yield and friction the loop closes, and the work of the punch is recovered.
 
-    Undamped motion keeps up to 5 % of the work and fails the check of slowness. Grains that yield
-    keep 75 % of the work.
+    Without damping, up to 5 % of the work remains as motion, so the check of a quasi-static stroke
+    fails. With yield, 75 % of the work is not recovered.
     """
     run = press(yield_strength=1e18, coefficient_of_friction=0, release=0.6)
     assert any("kinetic / elastic energy" in check.name for check in run.analysis.failed)
@@ -97,7 +98,7 @@ def test_punch_that_stays_is_noticed(pressed):
 
 
 def test_heckels_line():
-    """The data lie on a line."""
+    """The data lie on a line, which the fit reproduces."""
     pressure = np.linspace(0, 1e5, 50)
     density = 1 - np.exp(-(0.8 + 4e-6 * pressure))
     line = heckel_line(density, pressure)

@@ -44,8 +44,9 @@ def test_folder_contains_deck_record_and_results(whole):
 
 
 def test_frames_up_to_the_checkpoint_are_copied(tmp_path):
-    """Complete frames before the checkpoint's step are copied; LIGGGHTS writes the next one
-    again."""
+    """Complete frames before the step of the checkpoint are copied; LIGGGHTS writes later ones
+    again.
+    """
     box = "ITEM: BOX BOUNDS ff ff ff\n" + 3 * "0 1\n"
     frames = [
         f"ITEM: TIMESTEP\n{step}\nITEM: NUMBER OF ATOMS\n2\n{box}"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Power from work."""
+"""Mean power in a moving window."""
 
 from __future__ import annotations
 

@@ -31,8 +31,9 @@ def test_discharge_follows_beverloo(discharged):
 
 
 def test_deleted_grains_leave_the_energy_balance(discharged):
-    """A deleted grain removes its energy at the orifice (height zero). It is at most that of a free
-    fall from one orifice diameter above, as in Beverloo's law."""
+    """A deleted grain removes its energy, counted from the height of the orifice. This energy is at
+    most that of a free fall from one orifice diameter above, as in Beverloo's law.
+    """
     series, deck = discharged.series, discharged.deck
     gone = series["atoms"].iloc[0] - series["atoms"].iloc[-1]
     assert gone > 100

@@ -33,8 +33,9 @@ def test_surface_has_two_openings_only(size):
 
 @pytest.mark.parametrize("size", make_hopper.ORIFICES)
 def test_facets_are_smooth_for_liggghts(size):
-    """Contact history passes between facets that meet at less than `curvature`, which must be below
-    every corner. Otherwise a yielding grain on such an edge creates energy."""
+    """Contact history passes between facets whose angle is below `curvature`. Otherwise, a yielding
+    grain on their edge creates energy. The corners of all triangles have larger angles.
+    """
     deck = (PROJECT / "inputs" / "bulk" / "hopper" / "walls_liggghts.in").read_text()
     curvature = float(re.search(r"hopper_\S+ .* curvature (\S+)", deck)[1])
     # The facets of the barrel meet at 360/SEGMENTS degrees, those of the cone at less.

@@ -29,7 +29,7 @@ CANNOT_CONTINUE = (
 
 
 def write_plain(deck: Path, *replacements: tuple[str, str], head: str = "") -> None:
-    """Write the plain deck with other lines."""
+    """Write the plain deck with replaced texts and with `head` as its first lines."""
     text = PLAIN
     for old, new in replacements:
         assert old in text
@@ -38,8 +38,9 @@ def write_plain(deck: Path, *replacements: tuple[str, str], head: str = "") -> N
 
 
 def test_plain_deck_runs_in_its_folder(plain, tmp_path, monkeypatch, capsys):
-    """LIGGGHTS finds includes and meshes from any folder; time comes from the command
-    `timestep`."""
+    """LIGGGHTS finds includes and meshes from any current folder. The time follows from the command
+    `timestep`.
+    """
     monkeypatch.chdir(tmp_path)
     assert main(["bulk", str(plain)]) == 0
     assert "no checks were made: the deck has no energy balance" in capsys.readouterr().out
@@ -135,7 +136,7 @@ def test_supplied_name_selects_the_supplied_deck(tmp_path, monkeypatch):
 
 
 def test_stopped_run_leaves_no_file_beside_the_deck(plain, tmp_path, start_plastigran):
-    """The restart file that the signal causes moves to the results; that of another run stays."""
+    """The restart file of the stopped run moves to its results; those of other runs stay."""
     write_plain(plain, ("run 500", "run 50000000"))
     (plain.parent / "restart_forced_liggghts_7.data").write_text("Left by another run.")
     files = set(plain.parent.iterdir())
@@ -153,7 +154,7 @@ def test_stopped_run_leaves_no_file_beside_the_deck(plain, tmp_path, start_plast
 
 
 def test_finished_run_takes_no_restart_file_of_another(plain, tmp_path):
-    other = plain.parent / "restart_forced_liggghts_1500.data"  # the last step
+    other = plain.parent / "restart_forced_liggghts_1500.data"  # last step of the run
     other.write_text("Left by another run.")
     run_bulk(plain, {}, tmp_path / "run", show=False)
     assert other.exists()
@@ -176,7 +177,7 @@ def test_readmes_deck_has_the_energies_of_the_readme(tmp_path):
 
 
 def test_plain_deck_cannot_continue(plain, tmp_path):
-    """Restart files with other names do not help, and the message states what the deck needs."""
+    """Restart files with other names are not used. The message states what the deck needs."""
     write_plain(plain, ("run 1000", "restart 500 mine.*\nrun 1000"))
     run_bulk(plain, {}, tmp_path / "run", show=False)
     assert (plain.parent / "mine.500").exists()
@@ -207,7 +208,7 @@ def test_run_that_restarted_its_step_count_cannot_continue(tmp_path):
 
 
 def test_run_without_checkpoints_continues_from_its_own_start(plain, tmp_path):
-    """The file from which it started must be named like a checkpoint, which states its step."""
+    """The run continues from the file from which it started, if the name of the file has a step."""
     write_plain(plain, head=START)
     for name in ("checkpoint.1000.restart", "mine.500"):
         start = tmp_path / name

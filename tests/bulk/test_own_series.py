@@ -15,7 +15,7 @@ from plastigran.engine.log import read_thermo
 
 #: Columns of the energy balance in a log.
 ENERGIES = "v_kinetic v_elastic v_plastic v_friction v_viscous v_drift"
-#: Two simulations; the second begins with `run 0` and four times the energy.
+#: Logs of two simulations; the second one starts with twice the energy.
 BEFORE_CLEAR = table(f"Time {ENERGIES}", "0 0 1 0 0 0 0 0", "10 1e-5 0.5 0 0.5 0 0 0")
 AFTER_CLEAR = table(f"Time {ENERGIES}", "0 0 2 0 0 0 0 0", "20 2e-5 1 0 1 0 0 0")
 
@@ -30,7 +30,7 @@ def test_runs_that_restart_the_step_count_are_all_kept(plain, tmp_path):
 
 
 def test_energy_balance_is_checked_over_every_run(tmp_path):
-    """The second run, whose steps are those of the first, loses energy."""
+    """The second run has the steps of the first run again, and loses energy."""
     log = BEFORE_CLEAR
     log += table(f"Time {ENERGIES}", "0 0 0.5 0 0.5 0 0 0", "10 1e-5 0.2 0 0.4 0 0 0.4")
     run = pg.open(finished_run(tmp_path / "run", log))
@@ -130,7 +130,7 @@ def test_time_of_a_continued_run(log, before, times, tmp_path):
 
 
 def test_later_line_of_a_step_adds_columns(tmp_path):
-    """A deck may change its columns between two runs; the earlier line of a step counts."""
+    """A deck may change its columns between two runs; common columns have the earlier values."""
     log = table("Atoms", "0 5") + table("Atoms KinEng", "0 6 2", "10 6 3")
     series = pg.open(finished_run(tmp_path / "run", log)).series
     assert series["atoms"].tolist() == [5, 6] and series["kinetic_energy"].tolist() == [2, 3]
@@ -144,7 +144,7 @@ def test_log_without_lines_gives_an_empty_series(tmp_path):
 
 
 def test_frames_of_repeated_steps_have_the_later_time(tmp_path):
-    """LIGGGHTS overwrites the frames of the earlier run."""
+    """LIGGGHTS overwrites a frame of the first run when the second run has the same step."""
     log = table("Time", "0 0", "10 1", "20 2") + table("Time", "0 2", "10 3")
     run = pg.open(finished_run(tmp_path / "run", log))
     assert [time_of(run, step) for step in (0, 5, 10, 20)] == [2, 2.5, 3, 2]

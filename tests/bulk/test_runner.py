@@ -28,7 +28,7 @@ LONG = SHORT_GAS | {"duration": 20000, "rows": 20000, "checkpoints": 5000}
 
 
 def test_package_is_called(tmp_path, monkeypatch):
-    """Call `pg.bulk` with name and settings; read the run again from results/DECK."""
+    """`pg.bulk` runs a deck, and `pg.open` reads the run again from results/DECK."""
     monkeypatch.chdir(tmp_path)
     settings = {"side": 4, "duration": 2, "rows": 10, "checkpoints": 1, "mixing": 0.1}
     run = pg.bulk("cooling_gas", law="thornton", show=False, **settings)
@@ -49,7 +49,7 @@ def test_continuing_with_another_timestep_is_refused(short_gas, tmp_path):
 
 @pytest.fixture
 def start(start_plastigran):
-    """Start a long run from the command line and wait for its second checkpoint."""
+    """`start(folder, ranks)` starts a long run and waits for its second checkpoint."""
 
     def begin(folder: Path, ranks: int) -> subprocess.Popen:
         values = [f"{name}={value}" for name, value in LONG.items()]

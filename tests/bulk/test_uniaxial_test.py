@@ -27,7 +27,7 @@ def test_run(brief_run) -> BulkRun:
 
 @pytest.fixture(scope="module")
 def other(test_run, tmp_path_factory):
-    """Run the test with other settings."""
+    """`other(**changes)` runs the test with changed settings."""
 
     def run(**changes: object) -> BulkRun:
         settings = {**test_run.deck.briefs[""].settings, **changes}

@@ -76,7 +76,7 @@ def test_json_has_null_for_unknown_and_infinite_numbers(capsys):
 
 
 def test_similar_warnings_are_reported_once_with_the_worst_value(tmp_path):
-    """Warnings that differ only in numbers are similar. Those of fixes are included."""
+    """Warnings that differ only in numbers are similar. Warnings of fixes are included."""
     said = [
         "plastigran: model thornton: an overlap of 1.5e-6 m, step 10 (../pair.cpp:12)",
         "plastigran: energy_ledger: an atom was lost (../fix.cpp:1)",
@@ -259,7 +259,7 @@ BAR = "from plastigran.progress import ProgressBar as Bar; [*Bar('abc', desc='he
 
 @pytest.mark.parametrize("line", [["-m", "plastigran", "impact", "--help"], ["-c", BAR]])
 def test_no_output_has_colours(line):
-    """Help and progress bars have none, even on a terminal with FORCE_COLOR."""
+    """Help and progress bars have no colors, even on a terminal with FORCE_COLOR."""
     ours, theirs = pty.openpty()
     termios.tcsetwinsize(theirs, (24, 80))
     run = [sys.executable, *line]

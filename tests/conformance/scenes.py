@@ -73,7 +73,7 @@ class Spheres:
 
 
 class RatedSpheres(Spheres):
-    """Spheres whose strength depends so much on the strain rate that every impact has its own."""
+    """Spheres whose strength depends strongly on the strain rate, so that it differs by impact."""
 
     rate: ClassVar = {"rate_coefficient": 1.0, "reference_rate": 0.3}
     material: Material = evolve(Spheres.material, **rate)

@@ -49,10 +49,13 @@ def test_force_is_continuous_where_unloading_begins_and_ends(law_name, law_betwe
 
 
 def test_energies_go_on_where_tables_end(law_name, law_between, pair):
-    """The tables of a law end at 2^14 times the overlap at yield. Around it, elastic energy plus
-    plastic work grow by the work of the force in each panel. The quadrature needs a range without
-    kinks; the nearest kink is at 2^14.5. The relative tolerance is 1e-9, because these energies are
-    differences of numbers some 100 times as large, which tables keep to 3e-14."""
+    """The tables of a law end at 2^14 times the overlap at yield. Near this overlap, elastic energy
+    plus plastic work increases by the work of the force.
+
+    The quadrature needs a range without kinks; the nearest kink is at 2^14.5. The relative
+    tolerance is 1e-9, because the increase is a difference of energies some 100 times as large,
+    which the tables give to 3e-14.
+    """
     overlap_y, _ = scales(law_name, pair)
     law = law_between(law_name, pair)
     edges = np.geomspace(2**13.5, 2**14.4, 101) * overlap_y
@@ -66,7 +69,7 @@ def test_energies_go_on_where_tables_end(law_name, law_between, pair):
 
 
 def test_energy_guard_is_what_keeps_restitution_below_one():
-    """Without the energy guard, Stronge's law as published returns up to 6 % more speed."""
+    """Without the guard, spheres rebound up to 6 % faster than they hit, by Stronge's law."""
     pair = PAIRS["aluminium on rigid"]
     speed = 1.5 * central.yield_speed(pair, RADIUS, 1e-3)
     kept = laws.Stronge(pair).central_impact(RADIUS, 1e-3, speed)

@@ -109,9 +109,9 @@ OTHER_LINES = {
 
 @pytest.mark.parametrize("owner", OTHER_LINES)
 def test_contacts_of_another_line_begin_anew(owner, tmp_path):
-    """With another option or law, the log reports it, and only the contacts of that line start
-    without history. Before, unloading by a tenth of the overlap reduced the contact force by at
-    least 30 %.
+    """The log reports a changed option or law, and only the contacts of that line start without
+    history. Their force changes by at least 30 %, because the contacts were unloaded by a tenth of
+    the overlap.
     """
     commands, changed = OTHER_LINES[owner]
     log = run_with(commands, "stronge", tmp_path)
@@ -142,7 +142,7 @@ def test_a_wall_elsewhere_is_another(tmp_path):
 
 
 def test_memory_that_ends_with_a_line_is_told_of(tmp_path):
-    """The models of the next line have no history, and LIGGGHTS has deleted the earlier one."""
+    """The models of the next line have no history, and LIGGGHTS has deleted the earlier history."""
     log = run_with(
         "pair_style gran model hertz tangential off; pair_coeff * *", "stronge", tmp_path
     )

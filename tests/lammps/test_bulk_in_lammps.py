@@ -21,8 +21,8 @@ from plastigran.engine.lammps import lammps_path
 from plastigran.engine.versions import HOSTS
 from plastigran.plot.frame_files import DamagedFrame, find_frames, read_frame_file
 
-#: Decks with the labels of their short runs, and changes of these. The error of the work of the
-#: punch by the trapezoidal rule depends on the number of rows.
+#: Decks with the label of their short run, and changes of its settings. With more rows, the work of
+#: the punch has a smaller error, because it is integrated by the trapezoidal rule.
 RUNS = {
     "cooling_gas": ("", {}),
     "compaction": ("", {"rows": 200}),
@@ -34,7 +34,7 @@ RUNS = {
 
 @pytest.fixture(scope="module")
 def lammps_run(bulk_run):
-    """The short run of a deck in LAMMPS, `lammps_run(name)`, by its name in `RUNS`."""
+    """`lammps_run(name)` returns the short run of a deck in LAMMPS, by its name in `RUNS`."""
 
     def run(name: str):
         deck, (label, changes) = name.partition("-")[0], RUNS[name]
@@ -72,8 +72,9 @@ def test_both_hosts_give_the_same_series(deck, label, bulk_run):
 
 
 def test_the_bed_dissipates_as_in_liggghts(lammps_run, bulk_run):
-    """A bed amplifies the differences of the tangential springs of both hosts. Of 141 grains, the
-    dissipated energy of 16 shots agrees within 5 %, about the scatter between seeds."""
+    """The tangential springs of the hosts differ slightly, and a bed amplifies the difference. The
+    energy dissipated in 125 grains and 16 shots agrees within 5 %, about the scatter between seeds.
+    """
     settings = deck_class("bed_impact").briefs["bed"].settings
     lost = []
     for run in (lammps_run("bed_impact-bed"), bulk_run("bed_impact", settings)):
@@ -84,8 +85,9 @@ def test_the_bed_dissipates_as_in_liggghts(lammps_run, bulk_run):
 
 @pytest.mark.parametrize("name", ["cooling_gas", "bed_impact-plate", "hopper", "compaction"])
 def test_a_run_continues(name, lammps_run, tmp_path):
-    """The sums of the energy balance differ by round-off, so a continued gas and shots agree to
-    1e-9. In the hopper and the die, contacts amplify round-off, so only the next row is compared.
+    """The sums of the energy balance have round-off, so a continued gas and shots on a plate agree
+    to 1e-9. In the hopper and the die, contacts amplify round-off, so only the next row is
+    compared, to 1e-6.
     """
     whole, deck = lammps_run(name), name.partition("-")[0]
     stopped = shutil.copytree(whole.folder, tmp_path / "stopped")
@@ -106,9 +108,7 @@ def test_a_run_continues(name, lammps_run, tmp_path):
 
 
 def test_frames_contain_the_grains_as_in_liggghts(bulk_run, tmp_path):
-    """The hosts write at least six digits. A truncated frame of LAMMPS is
-    rejected.
-    """
+    """The hosts write at least six digits. A truncated frame of LAMMPS is rejected."""
     brief = deck_class("cooling_gas").briefs[""]
     settings = {**brief.settings, **brief.start, "frames": 2}
     runs = {host: bulk_run("cooling_gas", settings | {"host": host}) for host in HOSTS}

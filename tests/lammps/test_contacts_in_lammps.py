@@ -72,7 +72,7 @@ def pair_of_spheres(
 
 def check_balance(table: pd.DataFrame) -> None:
     """Check the sum of kinetic, elastic and surface energy, plastic work and loss by adhesion. It
-    is constant to a relative 1e-4, because the force of a law may jump by some percent within a
+    is constant to a relative 1e-4, because the force of a law may jump by some per cent within a
     step.
     """
     total = table[ENERGY].sum(axis=1)

@@ -27,8 +27,10 @@ int main() {
 
 @pytest.fixture
 def force(tmp_path):
-    """Compiles and runs a program of another project, which prints the force of a law on
-    unloading."""
+    """`force(law, class_name, header)` compiles and runs a program of another project.
+
+    The program prints the force of a law during unloading.
+    """
     theirs = tmp_path / "their project"
     shutil.copytree(PROJECT / "contact_models" / "plastigran", theirs / "plastigran")
 

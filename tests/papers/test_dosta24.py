@@ -35,7 +35,7 @@ def test_published_ball_falls_freely_onto_the_bed():
 
 
 def test_published_silo_discharges_at_the_printed_rate():
-    """The paper states a mean rate of 23.2 thousand grains per second, and 5 % between codes."""
+    """The paper states a rate of 23.2 thousand grains per second; codes differ by 5 %."""
     for table in silo("large").values():
         assert table["held"].iloc[0] == 100000
         middle = table[(table["time"] >= 0.5) & (table["time"] <= 3)]

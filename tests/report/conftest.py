@@ -51,7 +51,7 @@ def sweep_folder(shared) -> Path:
 
 @pytest.fixture(scope="session")
 def page_file(shared, sweep_folder, hopper) -> Path:
-    """Page on the sweep, the hopper and an empty folder."""
+    """Report page on the sweep, the hopper and an empty folder."""
     page = shared / "report.html"
     with open(shared / "report.lock", "w") as lock:
         flock(lock, LOCK_EX)

@@ -83,7 +83,7 @@ def here(wheel, tmp_path_factory) -> Path:
 
 @pytest.fixture
 def run(here, tmp_path):
-    """Runs a program of the environment in an empty folder."""
+    """`run(program, *words)` runs a program of the environment in an empty folder."""
 
     def start(program: str, *words: str) -> subprocess.CompletedProcess:
         line = [here / "bin" / program, *words]

@@ -51,12 +51,14 @@ def newest_checkpoint(folder: str | Path) -> Path:
 
     LIGGGHTS writes the checkpoint of a step before the log line of this step. Decks write
     checkpoints only at steps that have a log line. A checkpoint later than the last log line may
-    therefore be incomplete. Damaged checkpoints are skipped with a warning. A complete checkpoint
-    may have no checksum if its run was killed.
+    therefore be incomplete. A complete checkpoint may have no checksum if its run was killed.
 
     Raises:
         EngineError: There is no complete checkpoint. The message names the newest checkpoint that
             is later than the log.
+
+    Warns:
+        UserWarning: A damaged checkpoint was skipped; the message names the file.
     """
     log, beyond = log_path(folder), None
     progress = LogFollower(log).read()

@@ -215,12 +215,15 @@ def read_thermo(path: str | Path) -> pd.DataFrame:
 
     Raises:
         DumpError: The log has no thermodynamic output, or a step is not a whole number.
+
+    Warns:
+        TruncatedFileWarning: The log ends within a run; the complete rows are returned.
     """
     return thermo_table(path, read_runs(path))
 
 
 def thermo_table(path: str | Path, runs: list[LoggedRun]) -> pd.DataFrame:
-    """Return the table of `read_thermo` from the runs of a log; errors as for `read_thermo`."""
+    """Return the table of `read_thermo` from the runs of a log, with the same errors and warnings."""
     if not runs:
         raise DumpError(f"{path}: no thermodynamic output (no line starting with 'Step')")
     if not runs[-1].finished:

@@ -83,9 +83,10 @@ def test_killed_run_has_its_rows(whole, tmp_path):
 
 
 def test_restart_continues(case, whole, tmp_path):
-    """Continue from half of the checkpoints, and compare to the precision that the deck declares.
+    """A run that continues from the middle checkpoint agrees to the tolerance of its deck.
 
-    For bitwise identical runs, sums over grains may still differ by round-off, 1e-12.
+    If the tolerance is zero, results are bitwise identical, but sums over grains may differ by
+    round-off, 1e-12.
     """
     stopped = tmp_path / "stopped"
     shutil.copytree(whole.folder, stopped)

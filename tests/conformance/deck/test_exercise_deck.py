@@ -32,7 +32,7 @@ TESTS += [test_deck_runs.test_another_law_runs]
 
 @pytest.fixture(scope="module")
 def exercise_deck(tmp_path_factory):
-    """Copies the files of the exercise into the folders of the other decks."""
+    """Add the exercise to the package of decks and to a copy of the input scripts."""
     inputs = tmp_path_factory.mktemp("exercise") / "inputs"
     shutil.copytree(inputs_folder(), inputs)
     shutil.copytree(EXERCISE / "inputs", inputs, dirs_exist_ok=True)

@@ -61,10 +61,12 @@ class Contact:
     Attributes:
         pieces: Formulas of first loading in ascending order, as pairs of the overlap [m] at which a
             formula ends and the formula. The first formula is elastic; the last one ends at
-            infinity. energy_guard: Whether the recovery is reduced where plastic work would
-            decrease during loading. readings: Other interpretations of the source, each as an
-            option or constant with its value. reading: Interpretation in use; empty for the
-            default."""
+            infinity.
+        energy_guard: Whether the recovery is reduced where plastic work would decrease during
+            loading.
+        readings: Other interpretations of the source, each as an option or constant with its value.
+        reading: Interpretation in use; empty for the default.
+    """
 
     pieces: list[tuple[float, Callable]]
     energy_guard = False
