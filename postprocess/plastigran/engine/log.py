@@ -223,7 +223,7 @@ def read_thermo(path: str | Path) -> pd.DataFrame:
 
 
 def thermo_table(path: str | Path, runs: list[LoggedRun]) -> pd.DataFrame:
-    """Return the table of `read_thermo` from the runs of a log, with the same errors and warnings."""
+    """Return the table of `read_thermo` from the runs of a log; errors and warnings as there."""
     if not runs:
         raise DumpError(f"{path}: no thermodynamic output (no line starting with 'Step')")
     if not runs[-1].finished:
