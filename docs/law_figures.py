@@ -17,7 +17,7 @@ from plastigran.materials import RIGID, read_material
 from plastigran.physics import central
 from plastigran.plot.style import COLOURS, save, styled, subplots, title
 
-RADIUS = 0.01  # the figures are dimensionless; any size gives the same
+RADIUS = 0.01  # m; the figures are dimensionless and do not depend on the radius
 
 
 def sphere_law(name: str):

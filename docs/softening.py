@@ -51,7 +51,8 @@ def stiff_material() -> Material:
 def measure(run: BulkRun) -> dict[str, float]:
     """Return the compared quantities.
 
-    They are the discharge per second or the power of the wall [W], and the shares of dissipation.
+    These are the discharge rate of the hopper [grains/s] or the power of the drum's wall [W], and
+    the shares of the dissipation.
     """
     series, deck = run.series, run.deck
     if run.name == "hopper":

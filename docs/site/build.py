@@ -115,8 +115,8 @@ def build(target: Path) -> int:
 def _state(pages: Path) -> str:
     """Return a hash of all files on which every page may depend.
 
-    It contains the names of the pages, because links are resolved when a page is read, and the
-    package, which notebooks and references run.
+    The hash covers the names of the pages, because Sphinx resolves links when it reads a page. It
+    also covers the package, whose code notebooks and references run.
     """
     names = sorted(str(path.relative_to(pages)) for path in pages.rglob("*.*"))
     digest = sha256()

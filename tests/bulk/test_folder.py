@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The folder of a bulk run: its files, overwriting them, and damaged ones."""
+"""Folder of a bulk run: its files, overwriting of an earlier run, and damaged files."""
 
 from __future__ import annotations
 

@@ -25,8 +25,8 @@ def test_discharge_follows_beverloo(discharged):
     discharge = discharged.deck.discharge(series)
     assert discharge.rate_error < 0.05 * discharge.rate
     assert series["counted"].iloc[-1] > 0.5 * series["atoms"].iloc[0]
-    # Packing of spheres at rest, from loose (high friction) to dense; soft grains overlap, which
-    # adds some hundredths.
+    # Volume fractions of spheres at rest range from loose (high friction) to dense packings.
+    # Overlaps of soft grains add some hundredths.
     assert 0.54 < series["packing"].iloc[0] < 0.67
 
 

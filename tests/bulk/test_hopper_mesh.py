@@ -16,7 +16,9 @@ from plastigran.engine.process import PROJECT
 
 @pytest.mark.parametrize("size", make_hopper.ORIFICES)
 def test_surface_has_two_openings_only(size):
-    """Every edge has two triangles, except those of orifice and top, which are circles."""
+    """Every edge belongs to two triangles, except at the orifice and the top, where edges form
+    circles.
+    """
     corners = np.round(make_hopper.triangles(size), 9)
     edges = Counter(
         frozenset(map(tuple, (triangle[k], triangle[k - 1])))
@@ -38,7 +40,8 @@ def test_facets_are_smooth_for_liggghts(size):
     """
     deck = (PROJECT / "inputs" / "bulk" / "hopper" / "walls_liggghts.in").read_text()
     curvature = float(re.search(r"hopper_\S+ .* curvature (\S+)", deck)[1])
-    # The facets of the barrel meet at 360/SEGMENTS degrees, those of the cone at less.
+    # Facets of the barrel meet at an angle of 360/SEGMENTS degrees, facets of the cone at a smaller
+    # one.
     assert curvature > 360 / make_hopper.SEGMENTS
     corners = make_hopper.triangles(size)
     for k in range(3):

@@ -86,7 +86,8 @@ def test_contact_value_has_the_hard_spheres_virial_coefficients():
 
 
 def test_statistical_error_goes_with_the_number_of_grains():
-    """Four times as many grains halve the error, which at first is that of a random walk of losses.
+    """Four times as many grains halve the error. At first, it is the error of a random walk of
+    losses.
 
     For e = 0, an impact removes m T l of the energy 3/2 N m T. The mean square of l, which is
     exponentially distributed, is 2. After x impacts per grain, N x/2 in total, the relative

@@ -94,7 +94,7 @@ def test_meshes_are_copied_with_the_deck(plain, tmp_path):
 
 
 def test_path_selects_the_users_deck_of_a_supplied_name(tmp_path, monkeypatch):
-    """A run of one of the two decks is not continued with the other."""
+    """A run of the user's deck cannot continue with the supplied deck, and vice versa."""
     monkeypatch.chdir(tmp_path)
     deck = write_deck(Path("hopper"), "thornton", "steel")
     assert plan_bulk("hopper", {}, "supplied").deck_type.__name__ == "Hopper"

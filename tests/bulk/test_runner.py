@@ -177,8 +177,9 @@ def test_wrong_words_are_refused(line, message, tmp_path, capsys):
 
 
 def test_materials_are_found_from_the_current_folder(tmp_path, monkeypatch):
-    """LIGGGHTS runs in another folder. It gets the absolute path, or a link if the path has white
-    space."""
+    """LIGGGHTS runs in another folder, so it gets the absolute path, or a link if the path has
+    white space.
+    """
     folder = tmp_path / "my metals"
     folder.mkdir()
     write_material(read_material("soft_granules"), folder / "mine.in", "As soft as they are.")

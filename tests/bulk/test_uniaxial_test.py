@@ -42,7 +42,7 @@ def strength_of(run: BulkRun):
 
 
 def test_free_sample_is_strong(test_run):
-    """The sample reaches the set stress, stands free, and fails at a part of that stress."""
+    """The sample reaches the set stress, stands without the mold, and fails at a lower stress."""
     assert test_run.passed, repr(test_run)
     strength = strength_of(test_run)
     assert strength.consolidation == pytest.approx(5e3, rel=0.01)

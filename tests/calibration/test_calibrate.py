@@ -34,7 +34,7 @@ def test_known_strength_is_kept():
     assert metal.law == DEFAULT_LAW
     assert "'metal', yield_strength=3e+08 Pa (3e+08 to 3e+08)" in repr(metal)
     assert metal.material.tangent_modulus == 0
-    # Without finite elements, the constants are those of the law.
+    # Without finite elements, the constants are the defaults of the law.
     defaults = {row["name"]: row["default"] for row in laws.LAWS["vu_quoc_zhang"].parameters()}
     assert metal.constants == defaults
 
@@ -144,7 +144,7 @@ def test_expected_error_is_unknown_for_other_pairs():
     assert unknown.restitution is None
     reason = "unknown, because finite elements exist only for spheres on a rigid plane"
     assert str(unknown).startswith(f"not known ({reason}, ")
-    # Intended speeds are those of a sphere on a rigid plane.
+    # The argument `speeds` is for a sphere on a rigid plane, whatever the drop test was.
     intended = calibrate(**STEEL, drops=on_glass, speeds=(0.05, 0.3)).expected_error
     assert intended.restitution is not None
 

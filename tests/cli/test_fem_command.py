@@ -117,7 +117,7 @@ def test_a_cylinder_strikes_a_body(capsys):
         main(["fem", "cylinder", *GLASS, "--elastic", *CYLINDER, "--speed", "0.1", "--json"]) == 0
     )
     numbers = json.loads(capsys.readouterr().out)
-    # Waves in the body, which is hundreds of times lighter, keep 1e-3 of the speed.
+    # Waves in the body, which is hundreds of times lighter, reduce the rebound speed by 1e-3.
     assert numbers["coefficient_of_restitution"] == pytest.approx(1, abs=5e-3)
     assert len(numbers["history"]["force"]) > 100
 

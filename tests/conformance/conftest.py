@@ -25,9 +25,9 @@ def jumps_of_first_loading(law_between):
     behind it and the relative change of the force. The two overlaps differ by 1e-12 of their value.
     The search covers eight decades of overlap in steps of 5e-5. In such a step, a smooth force
     changes by at most 1e-4; the force of a cylinder changes by at most 3e-4, because its slope
-    grows fivefold at yield. The search uses these small steps only where a step of 5e-4 changes the
-    force unlike its neighbors. A jump changes the force by 2e-4 or more, and the slope of a smooth
-    force changes by 1e-5 from step to step.
+    grows fivefold at yield. The search uses these small steps only where the change of the force in
+    a step of 5e-4 differs from the changes in neighboring steps. A jump changes the force by 2e-4
+    or more, and the slope of a smooth force changes by 1e-5 from step to step.
     """
 
     @cache
@@ -49,7 +49,7 @@ def jumps_of_first_loading(law_between):
         overlap = np.geomspace(1e-3, 1e5, 40_001) * overlap_y
         change = steps(overlap)
         uneven = np.abs(np.diff(change)) > largest / 4
-        suspect = np.abs(change) > 20 * largest  # two equal jumps in neighboring steps
+        suspect = np.abs(change) > 20 * largest  # finds two equal jumps in neighboring steps
         suspect[1:] |= uneven
         suspect[:-1] |= uneven
         found = []

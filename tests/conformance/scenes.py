@@ -27,7 +27,7 @@ class Spheres:
     """Spheres of the aluminum of Zhang & Vu-Quoc for one law, by default of radius 0.1 m.
 
     Attributes:
-        hertzian: Whether the elastic contact is that of LIGGGHTS' own hertz.
+        hertzian: Whether the elastic contact equals LIGGGHTS' own hertz.
     """
 
     hertzian = True
@@ -83,7 +83,7 @@ class RatedSpheres(Spheres):
 
 
 class MappedSpheres(Spheres):
-    """Spheres whose elastic contact is that of an elliptical indenter, as in `mdr`."""
+    """Spheres with the elastic contact of an elliptical indenter, as in `mdr`."""
 
     hertzian = False
 

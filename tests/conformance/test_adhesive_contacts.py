@@ -188,8 +188,8 @@ def test_a_stretched_contact_outlives_restarts_ranks_and_rebuilds(
 )
 def test_the_energy_balance_closes_at_a_wall(law, mesh, tmp_path):
     """The ten impacts are below and above the sticking speed. The balance error is below 2e-3 of
-    the initial kinetic energy. It is of first order in the time step, because the force jumps where
-    contacts form and break.
+    the initial kinetic energy. The error is of first order in the time step, because the force
+    jumps where contacts form and break.
     """
     bodies, timestep = ten_impacts(law)
     steps = int(60e-9 / timestep)

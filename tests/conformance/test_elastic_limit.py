@@ -13,8 +13,8 @@ from plastigran import laws
 
 
 def elastic(law_name: str, pair: laws.MaterialPair, overlap: np.ndarray) -> dict[str, np.ndarray]:
-    """Return the quantities of the elastic contact of a law. It is Hertz' contact for spheres, the
-    mapped sphere for `mdr`, and a line contact with Lambert's W for cylinders.
+    """Return the quantities of the elastic contact of a law. The elastic contact is Hertz' contact
+    for spheres, the mapped sphere for `mdr`, and a line contact with Lambert's W for cylinders.
     """
     if law_name in NOT_HERTZIAN:
         return mapped_sphere(pair, RADIUS, overlap)

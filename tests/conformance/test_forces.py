@@ -34,8 +34,8 @@ def test_unequal_bodies_in_either_order(engine_law, tmp_path):
         loops.append(force_overlap_loop(table))
         runs.append(measure(table))
     assert len(loops[0]) == len(loops[1])
-    # Mirrored sums have another round-off. It is 1e-16 of a position and thus 1e-12 of the overlap;
-    # it grows to at most 1e-8 of the largest force.
+    # Mirrored sums have a different round-off: 1e-16 of a position, which is 1e-12 of the overlap.
+    # The difference grows to at most 1e-8 of the largest force.
     scale = loops[0]["force"].max()
     assert loops[1]["force"].to_numpy() == pytest.approx(
         loops[0]["force"].to_numpy(), abs=1e-8 * scale

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Contact history survives what decks do between two runs, and restart files keep it."""
+"""Contact history survives the commands of decks between two runs, and restart files contain it."""
 
 from __future__ import annotations
 

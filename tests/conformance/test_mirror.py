@@ -3,8 +3,8 @@
 
 The plane of symmetry between the spheres stays plane and has no friction, so it acts like a rigid
 plane. More generally, two spheres behave like one sphere of the yielding body's material on a rigid
-plane. Its radius is R* E'/E*, and its overlap is E*/E' times theirs, with E' = E/(1-nu^2) of the
-yielding body.
+plane. The radius of this sphere is R* E'/E*, and its overlap is E*/E' times the overlap of the two
+spheres. E' = E/(1-nu^2) is the modulus of the yielding body.
 """
 
 from __future__ import annotations

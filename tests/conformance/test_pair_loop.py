@@ -112,7 +112,9 @@ def test_all_digits_where_rates_matter(tmp_path):
     ],
 )
 def test_asking_for_energies_moves_nothing(models, tmp_path):
-    """Luding's models change their history in each computation."""
+    """Luding's models change their history each time forces are computed, so energies must not
+    cause another computation.
+    """
     line = models, "energy_ledger on"
     often, _ = follow(*line, tmp_path / "often", "v_e3", 1, LUDING)
     seldom, _ = follow(*line, tmp_path / "seldom", "v_e3", 1, LUDING, every=3000)

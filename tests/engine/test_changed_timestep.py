@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The time step of a run is the one with which LIGGGHTS' integrators were set up."""
+"""A run must have the time step with which LIGGGHTS' integrators were set up."""
 
 from __future__ import annotations
 
@@ -35,7 +35,9 @@ def last_position(folder: Path, more: str) -> float:
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_a_time_step_without_a_setup_is_refused(ranks, tmp_path):
-    """Particles would move by the earlier step; everything else would use the new one."""
+    """Otherwise, particles would move with the earlier time step, and everything else would use the
+    new one.
+    """
     message = error_of(tmp_path, DECK + "timestep 1e-6\nrun 1000 pre no", ranks)
     assert "run ... pre no: timestep is 1e-06, but particles would move with 1e-05" in message
     assert "Remove `pre no`" in message

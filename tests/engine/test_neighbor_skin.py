@@ -77,7 +77,8 @@ def test_a_small_skin_changes_no_contact(skin, models, tmp_path):
 
 def test_a_contact_ends_where_the_deck_takes_the_particle_away(tmp_path):
     """A sphere overlaps a plane, is far away during the next run, and comes back with less overlap.
-    Its force is then that of a first contact."""
+    Its force then equals the force of a new contact.
+    """
     text = head("-0.1 0.1 -0.1 0.1 -0.1 0.1", 2e-3) + (
         f"{material(7e9, 1e7, friction=0.5)}\n"
         "create_atoms 1 single 0 0 {height}\n"

@@ -100,7 +100,7 @@ def test_liggghts_of_another_layout_is_refused(tmp_path):
 
 
 def test_liggghts_of_another_version_is_refused(tmp_path):
-    """The plugin compares the version of LIGGGHTS with that of its compilation."""
+    """The plugin compares the version of LIGGGHTS with the version for which it was compiled."""
     binary = PLUGIN.read_bytes()
     version = re.search(rb"LIGGGHTS-PUBLIC [0-9.]+", binary)[0]
     other = tmp_path / "libplastigran.so"

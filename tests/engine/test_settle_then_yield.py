@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A bed that settled with LIGGGHTS' `hertz` continues with a law, and the reverse. The decks are
-those of docs/settle_then_yield.md, on planes and meshes, on one rank and on two."""
+"""A bed that settled with LIGGGHTS' `hertz` continues with a law, and the reverse. The decks of
+docs/settle_then_yield.md run on planes and meshes, on one rank and on two.
+"""
 
 from __future__ import annotations
 

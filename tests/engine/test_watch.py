@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Run-time checks: a failing run stops and names the particle, its place and a remedy.
 
-A time step that is too long gives a warning before the run, or when a contact shows it.
+A time step that is too long gives a warning before the run, or at the first contact that needs a
+shorter step.
 """
 
 from __future__ import annotations
@@ -137,8 +138,9 @@ def test_step_is_compared_with_known_times(tmp_path):
 
 
 def test_contacts_at_the_start_of_a_run_count(tmp_path):
-    """A grain at rest overlaps a wall; the recommended step is that of an impact with this
-    overlap."""
+    """A grain at rest overlaps a wall; the log recommends the time step for an impact with this
+    overlap.
+    """
     overlap, step = 0.2 * RADIUS, 1e-7
     text = run(tmp_path, [(0, 0, RADIUS - overlap)], timestep=step, steps=1)
     law = laws.Thornton(laws.combine(BODY, BODY))

@@ -63,8 +63,8 @@ def test_line_contact_is_as_wide_and_deep_as_that_of_hertz(elastic):
 
 
 def test_elastic_strike_rebounds_as_hertz(elastic):
-    # Waves in the body, which is hundreds of times lighter than the cylinder, keep 1e-3 of the
-    # speed.
+    # Waves in the body, which is hundreds of times lighter than the cylinder, reduce the rebound
+    # speed by 1e-3.
     assert elastic.coefficient_of_restitution == pytest.approx(1, abs=5e-3)
     force = CASE.line.impact_force(CASE.mass, CASE.speed)
     assert elastic.force_max == pytest.approx(force, rel=0.03)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""LAMMPS counts contacts beyond the range of their law, with the words of LIGGGHTS."""
+"""LAMMPS counts contacts beyond the range of their law, and reports them like LIGGGHTS."""
 
 from __future__ import annotations
 

@@ -93,7 +93,7 @@ def test_the_rate_factor_raises_the_yield_strength(tmp_path):
 
 
 def test_oblique_collisions_with_walls_and_between_spheres_agree(tmp_path):
-    """Both spheres of a pair move like one at a rigid wall, but their line of centers rotates.
+    """Both spheres of a pair move like a sphere at a rigid wall, but their line of centers rotates.
 
     The angle is tangential speed x duration / radius, at most 6e-4, and the velocities differ by
     about twice this angle. The relative tolerance 1.5e-3 was set after the first comparison, which

@@ -21,7 +21,7 @@ def log(folder: Path) -> str:
 @pytest.mark.parametrize("steps", [0, 200])
 def test_changes_of_the_deck_between_runs_are_counted(pre, steps, tmp_path):
     """Changes are counted with and without a setup. Terms that are printed between runs are those
-    at the end of the earlier run. The initial energy contains that of the walls.
+    at the end of the earlier run. The initial energy contains the energy of the walls.
 
     The balance error is below 1e-3 of the added energy; the time step causes a tenth of this limit.
     """
@@ -54,7 +54,8 @@ def test_deleted_particles_need_a_setup(tmp_path):
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_a_restart_keeps_the_terms(bed, ranks, tmp_path):
     """A run from the restart file has the terms of the second part of the whole run. They agree to
-    1e-9 of the initial energy; digits in the file and the order of sums on two ranks differ.
+    1e-9 of the initial energy, because the file has a limited number of digits and two ranks sum in
+    another order.
     """
     folder, whole = bed
     restart = folder / "middle.restart"

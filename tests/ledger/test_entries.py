@@ -46,8 +46,10 @@ def test_terms_are_the_same_in_the_loop_of_liggghts(tmp_path):
 @pytest.mark.parametrize("asks", [1, 2, 3], ids=["move", "adapt", "setforce"])
 @pytest.mark.parametrize("every", [1, 50])
 def test_terms_are_known_after_all_forces(asks, every, tmp_path):
-    """Within a step, terms cannot be read: in its first part, before the forces, or before the
-    forces of walls. It does not matter whether they were read in the previous step."""
+    """A term cannot be read within a step before all forces are known: in the first part of the
+    step, before the forces of pairs, or before the forces of walls. This also holds if the term was
+    read in the previous step.
+    """
     with pytest.raises(EngineError, match="was read within a step, before all forces are known"):
         ledger("between", tmp_path, asks=asks, every=every)
 

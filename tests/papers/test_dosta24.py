@@ -75,7 +75,8 @@ def test_small_cases(coarse, coarse_table):
     for law in ("hertz", "thornton"):  # the ball enters the bed and does not pass the floor
         assert 1.01 * to_floor < depth[law] < to_bed - 2 * 1e3 * deck.radius
     energies = coarse_table("dosta24", "impact_energies").iloc[0]
-    # The ball brings its kinetic energy and its weight times the depth; the bed settles, too.
+    # The energy input is the kinetic energy of the ball and its weight times the depth. The
+    # settling of the bed adds some energy.
     mass = 4 / 3 * np.pi * deck.ball_radius**3 * STEEL
     brought = mass * (deck.ball_speed**2 / 2 + 9.81 * -depth["thornton"] / 1e3)
     assert brought * 0.99 < energies["energy (J)"] < brought * 1.2

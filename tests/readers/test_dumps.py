@@ -42,7 +42,7 @@ def test_the_columns_of_a_dump_are_those_of_the_deck(pair_run):
 
 
 def test_pair_contacts_match_the_trajectory(pair_run):
-    """Overlap and force of the contact dump are those of the trajectory."""
+    """Overlap and force of the contact dump agree with the trajectory."""
     contacts = read_contacts(pair_run / "contacts.dump").set_index("step")
     assert {"x_i", "id_j", "periodic", "fx", "overlap"} <= set(contacts.columns)
     atom = read_dump(pair_run / "trajectory.dump").query("id == 1").set_index("step")
@@ -132,7 +132,7 @@ def test_truncated_dump_is_read_as_far_as_it_is_whole(pair_run, tmp_path, keep):
 
 
 def test_every_cut_is_noticed(pair_run, tmp_path):
-    """A cut anywhere in the third frame leaves the first two, and a warning."""
+    """If the file ends anywhere in the third frame, the first two frames are read, with a warning."""
     text = (pair_run / "trajectory.dump").read_text()
     starts = [match.start() for match in re.finditer("ITEM: TIMESTEP", text)]
     cut = tmp_path / "cut.dump"

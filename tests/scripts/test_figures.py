@@ -46,9 +46,7 @@ def test_figures_of_the_bulk_decks(brief_run, bulk_run, tmp_path, monkeypatch):
 
 
 def test_every_figure_of_the_docs_has_a_part():
-    """The figures are those of laws, experiments, decks and reports, a screenshot, and two figures
-    that benchmarks draw.
-    """
+    """Parts draw all figures except a screenshot and two figures that benchmarks draw."""
     drawn = {f"{name}.svg" for name in make_figures.laws.LAWS}
     drawn |= {file for _, files in make_figures.EXPERIMENTS.values() for file in files.values()}
     drawn |= {f"{name}.png" for name in make_figures.BULK} - {"bed_impact.png"}
@@ -70,7 +68,7 @@ def test_every_figure_of_the_docs_has_a_part():
 
 
 def test_each_part_starts(tmp_path, monkeypatch):
-    """Each part reaches its first call."""
+    """Each part reaches the first call of its computation."""
     begun = []
 
     def begin(name):

@@ -180,7 +180,8 @@ def test_random_calls(monkeypatch, capsys):
 
 def test_the_slurm_script_continues_from_the_older_checkpoint(tmp_path):
     """In this test, `srun` prints its arguments. Without checkpoints, or with one that may be
-    truncated, the run starts at its beginning. With two, it starts from the older one.
+    truncated, the run starts at its beginning. With two checkpoints, the run starts from the older
+    one.
     """
     script = PROJECT / "examples" / "slurm" / "large_bed.sh"
     srun = tmp_path / "srun"

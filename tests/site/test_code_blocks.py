@@ -52,7 +52,7 @@ def results(tmp_path_factory, brief_run, bulk_run) -> Path:
 
 @attrs.frozen
 class Discharge:
-    """Run of the hopper whose discharge rate changes with the orifice by Beverloo's law."""
+    """Run of the hopper with a discharge rate that depends on the orifice as in Beverloo's law."""
 
     run: object
     orifice: float

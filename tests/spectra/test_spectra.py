@@ -119,7 +119,7 @@ def test_a_mesh_is_one_wall(tmp_path):
     touching = (motion["z"] < 0.005).to_numpy().astype(int)
     begins, ends = (np.flatnonzero(np.diff(touching) == sign) for sign in (1, -1))
     assert len(begins) == len(ends) + 1 and motion["x"].iloc[begins[-1]] < -0.01
-    assert motion["x"].iloc[-1] > 0.02  # behind the edge, which leaves through x = y
+    assert motion["x"].iloc[-1] > 0.02  # beyond the common edge of the triangles
     assert log["impacts"].iloc[-1] == len(ends) >= 2
     assert log["underway"].iloc[-1] == 1
 

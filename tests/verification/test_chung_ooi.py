@@ -143,7 +143,7 @@ def test_unequal_spheres_keep_momentum(tmp_path):
 
 
 def test_decks_start_as_theory_takes_them(tmp_path):
-    """Motion in the first frame, radius and mass are those of the case."""
+    """The first frame has the motion, radius and mass of the case."""
     for number in range(1, 9):
         case = few(number)[0]
         trajectory = steps(case, tmp_path / case.deck_name)

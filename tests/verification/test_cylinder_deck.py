@@ -44,7 +44,7 @@ pair_style"""
 
 def test_either_body_may_bring_either_length(tmp_path):
     """A rigid cylinder on a yielding body equals a yielding cylinder on a rigid wall, and the
-    larger length counts.
+    larger of two given lengths is used.
     """
     found = []
     for case, given in enumerate(

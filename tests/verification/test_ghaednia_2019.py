@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Flattening with hardening lies between Jackson and Green's law and Hertz's."""
+"""The force of a hardening sphere lies between Jackson and Green's law and Hertz' law."""
 
 from __future__ import annotations
 
@@ -26,7 +26,8 @@ def loading(law: laws.Law, overlaps: np.ndarray, name: str) -> np.ndarray:
 
 
 def overlaps() -> np.ndarray:
-    """Return overlaps from 3 yield overlaps to 0.2 radii; a/R = 0.41 lies between.
+    """Return overlaps from 3 yield overlaps to 0.2 radii; the largest a/R of Jackson and Green,
+    0.41, lies in this range.
 
     For smaller overlaps, the force of Jackson and Green exceeds that of Hertz, because it jumps at
     1.9.

@@ -19,8 +19,8 @@ FRICTION = 0.3
 
 @pytest.fixture
 def glass_sphere():
-    """`glass_sphere(angle)` returns an impact of a sphere of radius 2.5 mm on a rigid plane. It has
-    3.9 m/s at an angle from the normal, and a normal restitution of 1.
+    """`glass_sphere(angle)` returns an impact of a sphere of radius 2.5 mm on a rigid plane. The
+    sphere has a speed of 3.9 m/s at an angle from the normal, and a normal restitution of 1.
     """
 
     def make(angle: float) -> ObliqueImpact:

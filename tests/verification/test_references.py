@@ -79,7 +79,7 @@ def twins(request, law_between):
 
 
 def test_every_option_is_held(law_name):
-    """Each choice of each option of a law is its default, or a choice of its reference."""
+    """Each choice of each option of a law is the default of the law, or `options` tests it."""
     given = [option.split() for option in options(law_name) if option]
     for option in laws.LAWS[law_name].options():
         taken = {choice for name, choice in given if name == option["name"]}

@@ -25,8 +25,8 @@ LEDGER_CHECKS = (
     "balance error, divided by the energy input",
     "plastic work lost, divided by the energy input",
 )
-#: Time between log lines for which decks state the error of trapezoidal integration, as a multiple
-#: of sqrt(d/g). A grain of diameter d falls by d/2 from rest in the time sqrt(d/g).
+#: Time between log lines, in units of sqrt(d/g), for which decks state the error of trapezoidal
+#: integration. A grain of diameter d falls by d/2 from rest in the time sqrt(d/g).
 FINE_ROWS = 0.25
 
 #: Energy terms of inputs/energy_ledger.in whose sum equals the energy input. The energy input

@@ -145,7 +145,7 @@ class BulkDeck:
         self.grains.contact_law()  # raises an error for invalid constants
 
     def check_inputs(self) -> None:
-        """Check before a run that all files which the deck reads exist.
+        """Check before a run that all input files of the deck exist.
 
         Raises:
             ValueError: A file is missing.
@@ -191,7 +191,7 @@ class BulkDeck:
         """Return the setting `options` as a dictionary.
 
         Raises:
-            ValueError: The setting is not made of pairs.
+            ValueError: The setting does not consist of pairs.
         """
         words = self.options.split()
         if len(words) % 2:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Bulk decks in LAMMPS: which decks run there, and with which settings."""
+"""Bulk decks that LAMMPS can run, and the settings that it supports."""
 
 from __future__ import annotations
 

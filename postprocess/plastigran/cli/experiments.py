@@ -188,7 +188,8 @@ def _values(
     `word` is WORD, for example "speed".
 
     Raises:
-        ValueError: Both values and a range are given, or a range has two ends but one point.
+        ValueError: Both values and a range are given, or a range has two different ends but only
+            one point.
     """
     ends, points = getattr(arguments, f"{word}s"), arguments.points
     if values is not None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Impacts of adhesive spheres: the speed below which they stick."""
+"""Adhesive spheres: sticking speed of an impact, and pull-off force."""
 
 from __future__ import annotations
 

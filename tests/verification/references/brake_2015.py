@@ -9,8 +9,8 @@ s = (d - d_y)/(d_p - d_y),
     d_r = d_m (1 - F_m/F_H(d_m)), not below 0,  F = F_m y^1.5
     a^2 = R* d (2 - sech((n - 1) s))
 
-P0 = 2.8 Y, and Meyer's index n is 2 or another value. The source has no contact radius, so a is
-that of the package.
+P0 = 2.8 Y, and Meyer's index n is 2 or another value. The source has no contact radius; a is the
+contact radius of this package.
 """
 
 from __future__ import annotations

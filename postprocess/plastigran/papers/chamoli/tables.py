@@ -142,8 +142,8 @@ def oscillations(computed: Computed) -> pd.DataFrame:
 def modes(computed: Computed) -> pd.DataFrame:
     """Return frequencies of free vibrations: exact, of the mesh, and peaks of the spectra.
 
-    The spectra are those of the flight after the fastest impact. Further columns are the energies
-    of the modes after some impacts.
+    The spectra are from the flight after the fastest impact. Further columns are the energies of
+    the modes after some impacts.
     """
     fastest = computed.vibrations[HARD, 5.0]
     table = nearest_modes(fastest.modes["frequency"], computed.modes)

@@ -29,7 +29,8 @@ SOFT = GRAINS | {"timestep": 2e-5, "duration": 1.0, "rows": 50, "checkpoints": 1
 COARSE = GRAINS | {"timestep": 2e-5, "duration": 0.2, "rows": 20, "checkpoints": 2}
 COARSE |= {"drum_radius": 0.03, "length": 0.014, "grain_count": 250, "large_count": 60}
 COARSE |= {"volume_fraction": 0.25}
-#: Columns of grain numbers, with what they count. Zone 1: x > 0, z > 0; zone 2: x < 0, z < 0.
+#: Columns of grain numbers, with a description of the counted grains. Zone 1: x > 0, z > 0; zone 2:
+#: x < 0, z < 0.
 COUNTS = {
     "small_1": "small grains in zone 1",
     "small_2": "small grains in zone 2",

@@ -24,8 +24,8 @@ EIGHT_CODES_BED = 25000
 PUBLISHED_BEDS = (25000, 50000, 100000)
 #: Number of random beds, by number of grains and label of `CONTACTS`.
 BEDS = {25000: {"hertz": 2, "thornton": 1}}
-#: Settings of all runs. The ball flies freely before the end. The time step is twice that of the
-#: paper.
+#: Settings of all runs. The ball flies freely before the end. The time step is twice as long as in
+#: the paper.
 FULL = {"timestep": 1e-6, "duration": 0.05, "rows": 100}
 #: Number of grains and settings of a coarse run.
 COARSE_GRAINS = 800
@@ -52,9 +52,9 @@ def compute(
         progress: Whether to show a progress bar.
         coarse: Whether to run one small bed for a short time.
         folder: Folder of the runs.
-        grains: Number of grains; those of `BEDS` if not given.
-        law: Labels of `CONTACTS`, or names of laws; by default those of `BEDS`.
-        beds: Number of beds; by default those of `BEDS`.
+        grains: Number of grains; by default the numbers in `BEDS`.
+        law: Labels of `CONTACTS`, or names of laws; by default the labels in `BEDS`.
+        beds: Number of beds; by default the numbers in `BEDS`.
         ranks: Number of MPI ranks.
     """
     runs = {}

@@ -47,7 +47,7 @@ def compute(
         progress: Whether to show a progress bar.
         coarse: Whether to run few grains for a short time.
         folder: Folder of the runs.
-        law: Labels of `CONTACTS`, or names of laws; by default those of `LAWS`.
+        law: Labels of `CONTACTS`, or names of laws; by default the labels in `LAWS`.
         beds: Number of random fillings.
         ranks: Number of MPI ranks.
     """

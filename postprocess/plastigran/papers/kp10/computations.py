@@ -45,8 +45,8 @@ OBLIQUE_SPEEDS = {10.0: (1.0, 0.6), 100.0: (3.0,)}
 SHOWN = (10.0, 1.0)
 LAWS = tuple(laws_for("cylinder"))
 HEAD_ON = Settings(divisions=4, steps_of_contact=120)
-#: Coarse resolution for oblique impacts. They need a fine mesh along the whole track, so that they
-#: take ten times as long to compute as head-on impacts.
+#: Coarse resolution for oblique impacts. The computation takes ten times as long as for head-on
+#: impacts, because the whole track needs a fine mesh.
 OBLIQUE = Settings(divisions=3, fineness=0.6, steps_of_contact=40)
 COARSE = Settings(divisions=2, fineness=0.5, steps_of_contact=20)
 
@@ -102,7 +102,7 @@ class Computed:
 
 
 def cases(coarse: bool) -> list[Case]:
-    """Return the impacts to compute; those that take longest come first."""
+    """Return the impacts to compute; the longest computations come first."""
     shown = [Case(*SHOWN, "oblique"), Case(*SHOWN)]
     if coarse:
         return [*shown, Case(*SHOWN, body="thick")]

@@ -144,7 +144,7 @@ def _movie(folder: Path, clock: Clock) -> tuple[GrainMovie | None, list[str]]:
 def _clock(timestep: float | None, run: BulkRun | None) -> Clock:
     """Return a function that converts a step to the time of the charts [s]; None if unknown.
 
-    A supplied deck has one time step, but its charts may count the time from a later step than 0. A
+    A supplied deck has one time step, but its charts may count the time from a step later than 0. A
     user's deck may have several time steps; the time then follows from the series of the run.
     """
     series = run.series if run else pd.DataFrame()

@@ -43,8 +43,8 @@ class Trust:
             the speeds of the sweep, by quantity.
         unknown_materials: Materials whose constants are not available. Errors with these materials
             are unknown.
-        not_validated: Impacts whose error is unknown, because they are faster than those of the
-            finite elements, hit a metal wall, or use options of the law.
+        not_validated: Impacts whose error is unknown, because they are faster than the
+            finite-element impacts, hit a metal wall, or use options of the law.
         left_range_at: Lowest impact speed at which the law was used outside its range [m/s]; None
             if the law was never used outside its range.
         law_range: Validity range of the law in words.
@@ -135,7 +135,7 @@ def _describe(case: CentralImpact) -> str:
 
 
 def _expected_error(fastest: CentralImpact, ratios: pd.Series) -> ExpectedError:
-    """Return the expected error of a law for impact speeds up to that of the impact `fastest`.
+    """Return the expected error of a law for impact speeds up to the speed of `fastest`.
 
     The error is unknown for options of a law and for metal walls. The available errors are those of
     laws with default options, compared with finite elements of spheres on a rigid plane.

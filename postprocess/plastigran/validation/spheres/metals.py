@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Metals of the table, and which of them are held out of the fit."""
+"""Metals of the table of spheres; some are held out of the fit of `universal`."""
 
 from __future__ import annotations
 

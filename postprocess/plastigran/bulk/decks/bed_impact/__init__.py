@@ -19,8 +19,8 @@ from plastigran.bulk.decks.bed_impact.measurement import (
 )
 from plastigran.declared import number, require, whole, word
 
-#: Largest allowed relative error of restitution, rebound speed and dissipated energy. It is the
-#: error of the time integration with an adequate time step.
+#: Largest allowed relative error of restitution, rebound speed and dissipated energy. The value is
+#: the error of the time integration with an adequate time step.
 INTEGRATOR = 1e-3
 #: Largest allowed relative difference between the plastic work of the grains and of the energy
 #: balance. Only the plastic work in the last step of pouring may differ.
@@ -89,10 +89,11 @@ class BedImpact(GranularDeck):
     def shots(self, grains: pd.DataFrame) -> pd.DataFrame:
         """Return the measured speeds and the predicted rebound speed of each shot [m/s].
 
-        The prediction is that of the law for a central impact on a plate.
+        The law predicts the rebound speed for a central impact on a plate.
 
         Args:
-            grains: Table of `read_grains_dump`; the rows of the bed come before those of the shots.
+            grains: Table of `read_grains_dump`; the rows of the bed come first, then the rows of
+                the shots.
         """
         shot = measure_shots(
             grains.iloc[int(self.derived("bed")) :], self.radius, self.gravitational_acceleration

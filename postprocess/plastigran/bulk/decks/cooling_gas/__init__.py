@@ -76,7 +76,7 @@ class CoolingGas(BulkDeck):
         return None if speed is None else speed**2
 
     def gas(self) -> Gas:
-        """Return the gas; its restitution is that of the law, tabulated for all relevant speeds."""
+        """Return the gas, with the restitution of the law tabulated for all relevant speeds."""
         grains, thermal = self.grains, self.temperature**0.5
         speeds = (1e-4 * thermal, 20 * thermal)
         restitution = law_restitution(grains.contact_law(), grains.radius, grains.mass, speeds)

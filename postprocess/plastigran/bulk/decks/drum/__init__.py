@@ -25,8 +25,8 @@ from plastigran.plot.spectra import spectra_figure
 #: [degrees].
 HOLLOW = degrees(atan(8**-0.5))
 #: Largest allowed relative difference between the work of the wall and the work predicted from the
-#: torque of gravity, for log lines with the spacing FINE_ROWS. They differ because friction acts on
-#: a grain half an overlap beyond the wall surface.
+#: torque of gravity, for log lines with the spacing FINE_ROWS. The two works differ because
+#: friction acts on a grain half an overlap beyond the wall surface.
 LEVER_ARM = 2e-3
 #: Largest allowed relative difference between the work of the wall and the dissipated energy. The
 #: oscillating bed stores the difference, mainly as potential energy.
@@ -100,8 +100,8 @@ class Drum(FlowDeck):
         Returns:
             The series with `revolutions`, `angle` and `wallwork_predicted`. The angle [degrees] is
             measured from the vertical to the line from the axis to the center of mass. The
-            predicted work [J] is that of a torque which balances the torque of gravity and changes
-            the angular momentum of the bed.
+            predicted work [J] is the work of a torque that balances the torque of gravity and
+            changes the angular momentum of the bed.
         """
         torque = self.gravitational_acceleration * series["mass"] * series["x"]
         impulse = cumulative_trapezoid(torque, series["time"], initial=0)

@@ -21,7 +21,7 @@ def drum_figure(
 ) -> Figure:
     """Draw the bed as seen along the axis, the angle of the bed, and the powers versus time.
 
-    The powers are those of the wall, of the torque of gravity and of dissipation in the bed.
+    The powers come from the wall, the torque of gravity, and dissipation in the bed.
 
     Args:
         series: Columns time [s], revolutions, angle [degrees], and works [J]: wallwork,
