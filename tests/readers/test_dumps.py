@@ -132,7 +132,7 @@ def test_truncated_dump_is_read_as_far_as_it_is_whole(pair_run, tmp_path, keep):
 
 
 def test_every_cut_is_noticed(pair_run, tmp_path):
-    """If the file ends anywhere in the third frame, the first two frames are read, with a warning."""
+    """If the file ends anywhere in the third frame, two frames are read, with a warning."""
     text = (pair_run / "trajectory.dump").read_text()
     starts = [match.start() for match in re.finditer("ITEM: TIMESTEP", text)]
     cut = tmp_path / "cut.dump"
