@@ -81,8 +81,8 @@ def calibrate(
             perfectly plastic metal.
         rate_coefficient: Relative increase of yield strength per e-fold increase of strain rate,
             with the strength given at 1/s. For steel with a measured hardness or rebound hardness,
-            the default is the value of steel, because the strain rates of these tests differ much
-            from the strain rates of a simulation. Otherwise, the default is 0.
+            the default is the value of steel, because these tests have other strain rates than a
+            simulation. Otherwise, the default is 0.
         scatter: Relative standard deviation of one measured restitution. The default is 0.02 for
             drops, and the scatter of conversions for rebound hardness.
         law: Name of the law.
