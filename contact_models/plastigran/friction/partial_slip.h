@@ -131,8 +131,9 @@ class PartialSlip {
   PLASTIGRAN_DEVICE static Plane share(const Ring& ring) { return {ring.x, ring.y}; }
   PLASTIGRAN_DEVICE static double cube(double p) { return p * p * p; }
 
-  // Returns force^(1/3). `near` is an estimate of it. The series about near^3 is exact to round-off
-  // within 1/64 of near^3. Up to 0.45, a step of Halley's method first improves `near`.
+  // Returns force^(1/3), with the estimate `near`. If the relative difference of force and near^3
+  // is below 1/64, a series about near^3 is exact to round-off. Up to a difference of 0.45, a step
+  // of Halley's method first improves `near`.
   PLASTIGRAN_DEVICE static double cube_root(double force, double near) {
     double x = near > 0 ? force / cube(near) - 1 : 1;
     if (std::abs(x) > 1.0 / 64) {
@@ -231,8 +232,8 @@ class PartialSlip {
     }
 
     // Returns a measure of the displacement error if rings k and k + 1 merge: the squared product
-    // of the difference of their D and the width of both rings. A measure that is smaller for thin
-    // rings would let the outer ring absorb all thin rings, however small the step is.
+    // of the difference of their D and the width of both rings. With the width of the thinner ring
+    // alone, the outer ring would absorb all thin rings, however small the step is.
     PLASTIGRAN_DEVICE double change(int k) const {
       const Plane difference = share(ring[k + 1]) - share(ring[k]);
       const double width = square(k + 1) - square(k - 1);

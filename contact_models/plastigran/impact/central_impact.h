@@ -94,7 +94,7 @@ ImpactOutcome rate_dependent_impact(const Law& law, double radius_eff, double ma
       h *= std::max(growth, 0.1);
       continue;
     }
-    // The force is largest while the bodies close: search its maximum in this step.
+    // The force is largest while the bodies approach: search for its maximum in this step.
     if (!back(now)) {
       const auto along = [&](double part) { return force(step(now, part * h)); };
       impact.force_max = std::max(impact.force_max, along(golden_section(along, 0, 1, 30)));

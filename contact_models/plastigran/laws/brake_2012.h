@@ -4,7 +4,7 @@
 // plasticity at the indentation pressure P0. The cubic has the values and slopes of its neighbors
 // at both ends. In yield units, x = overlap/overlap_y and f = F/F_y:
 //
-//   overlap_y = R* (pi p_y/2E*)^2,  a_p = 3 pi P0 R*/(4E*),  alpha = a_p/a_y,  x_p = alpha^2
+//   overlap_y = R* (pi p_y/(2 E*))^2,  a_p = 3 pi P0 R*/(4E*),  alpha = a_p/a_y,  x_p = alpha^2
 //   f = alpha (2x - alpha^2),  a^2 = (2x - alpha^2) a_y^2          x >= x_p
 //   overlap_max - overlap_res = 3 F_max/(4 E* a_max)
 //

@@ -5,7 +5,8 @@
 // 2015 (Int. J. Impact Eng. 86:307), eqs 28-31, corrected as in docs/laws/brake_2015.md. Yield
 // begins at the contact pressure p_y. In yield units, x = overlap/overlap_y and f = F/F_y:
 //
-//   overlap_y = R* (pi p_y/2E*)^2,  overlap_p = R* (3 pi P0/2E*)^2,  x_p = overlap_p/overlap_y
+//   overlap_y = R* (pi p_y/(2 E*))^2,  overlap_p = R* (3 pi P0/(2 E*))^2
+//   x_p = overlap_p/overlap_y
 //   s = (x - 1)/(x_p - 1)
 //   f = sech((n-1) s) x^1.5 + (1 - sech((3-n) s)) x_p^(1/2) x (x/x_p)^((n-2)/2)
 //   overlap_res = overlap_max (1 - f/x^1.5), not below 0;   a^2 = R* overlap (2 - sech((n-1) s))

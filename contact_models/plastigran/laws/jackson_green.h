@@ -5,7 +5,7 @@
 // (Nonlinear Dyn. 60:217). The equations are those of Ghaednia et al. 2015 (Int. J. Impact Eng.
 // 86:307), eqs 9-14. f is F divided by the Hertz force at overlap_c:
 //
-//   C = 1.295 exp(0.736 nu),  overlap_c = R (pi C sigma_Y/2E')^2,  x = overlap/overlap_c
+//   C = 1.295 exp(0.736 nu),  overlap_c = R (pi C sigma_Y/(2 E'))^2,  x = overlap/overlap_c
 //   f = x^1.5                                                             x <= 1.9
 //   f = exp(-x^(5/12)/4) x^1.5 + 4H/(C sigma_Y) (1 - exp(-x^(5/9)/25)) x  beyond
 //   a^2 = R overlap (x/1.9)^B,  B = 0.14 exp(23 sigma_Y/E')
@@ -16,8 +16,8 @@
 // R and E' belong to the fitted sphere, which fitted_sphere.h defines for two bodies.
 //
 // From x = 10 000, the fitted residual overlap would exceed overlap_max. Therefore at least 1 % of
-// the overlap recovers. The force jumps at x = 1.9, by +0.5 % for small sigma_Y/E' and
-// nu = 0.3. Range: a/R <= 0.41.
+// the overlap recovers. For small sigma_Y/E' and nu = 0.3, the force jumps by +0.5 % at x = 1.9.
+// Range: a/R <= 0.41.
 #pragma once
 
 #include "plastigran/shared/fitted_sphere.h"

@@ -5,7 +5,8 @@
 // Solids Struct. 42:3716). The equations are those of Ghaednia et al. 2015 (Int. J. Impact Eng.
 // 86:307), eqs 15-19. f is F divided by the Hertz force at overlap_c, n the exponent of unloading:
 //
-//   K = 0.454 + 0.41 nu,  H = 2.8 sigma_Y,  overlap_c = R* (pi K H/2E*)^2,  x = overlap/overlap_c
+//   K = 0.454 + 0.41 nu,  H = 2.8 sigma_Y
+//   overlap_c = R* (pi K H/(2 E*))^2,  x = overlap/overlap_c
 //   f = x^1.5                x <= 1        a^2 = R* overlap
 //   f = 1.03 x^1.425         1 < x <= 6    a^2 = 0.93 x^1.136 a_c^2
 //   f = 1.40 x^1.263         beyond        a^2 = 0.94 x^1.146 a_c^2

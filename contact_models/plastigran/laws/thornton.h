@@ -4,7 +4,7 @@
 // pressure p_y. The equations are those of Zhang & Vu-Quoc 2002 (Int. J. Impact Eng. 27:317), eqs
 // 4.10-4.11. Unloading begins with the contact area at the largest overlap.
 //
-//   overlap_y = R* (pi p_y / 2 E*)^2                      yield
+//   overlap_y = R* (pi p_y/(2 E*))^2                      yield
 //   F = 4/3 E* sqrt(R*) overlap^(3/2)                     overlap <= overlap_y
 //   F = pi p_y R* (overlap - overlap_y / 3)               beyond (force and slope continuous)
 //   overlap_max - overlap_res = 3 F_max / (4 E* a_max),   a_max^2 = R* overlap_max

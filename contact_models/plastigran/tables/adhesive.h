@@ -229,8 +229,8 @@ class Adhesive {
             shape_at_x};
   }
 
-  // Returns the pull-off force. It is exact if the unloading force is a power 3/2 of overlap. Other
-  // shapes use the same w at pull-off, and the result is up to 8 % too small.
+  // Returns the pull-off force. It is exact if the force without adhesion unloads as y^(3/2). Other
+  // shapes use the same w at pull-off; their pull-off force is up to 8 % too small.
   PLASTIGRAN_DEVICE double pull_off_force(const Peak& peak) const {
     const double b = peak.pull * peak.inverse_recovery;
     if constexpr (Rebound::is_hertzian) return 0.375 * peak.slope * peak.pull * b;
@@ -252,13 +252,13 @@ class Adhesive {
   }
 
   // Returns the point of unloading at an overlap. `beyond` is (overlap - overlap_res)/(overlap_max
-  // - overlap_res). w is the largest root of w^4 - b S^(1/2)/S_max^(1/2) = beyond. If there is no
-  // root, the contact breaks, and w is 0.
+  // - overlap_res). With b = D/(overlap_max - overlap_res) at the largest overlap, w is the largest
+  // root of w^4 - b S^(1/2)/S_max^(1/2) = beyond. Without a root, the contact breaks, and w is 0.
   PLASTIGRAN_DEVICE Point point(const Peak& peak, double beyond) const {
     const double b = peak.pull * peak.inverse_recovery;
     if constexpr (Rebound::is_hertzian) {
       const double w = adhesive_root(beyond, b);
-      // At pull-off, adhesive_root() returns the least w also if no root exists: check that one
+      // If no root exists, adhesive_root() returns the w of pull-off. Therefore check that a root
       // exists.
       const bool joined =
           beyond > 0 || 4 * w * w * w > b * (1 + 1e-7) || w * (w * w * w - b) <= beyond;
@@ -267,8 +267,8 @@ class Adhesive {
       return point_of_any_shape(peak, b, beyond);
     }
   }
-  // Solves the equation in y by Newton's method, because for weak adhesion the equation is nearly
-  // linear in y. The start value is a series, valid for a slope that is a power of y.
+  // Solves the equation of point() for y by Newton's method. For weak adhesion, the equation is
+  // nearly linear in y. The start value is a series, valid for a slope that is a power of y.
   PLASTIGRAN_DEVICE Point point_of_any_shape(const Peak& peak, double b, double beyond) const {
     const double start = std::sqrt(std::sqrt(beyond));
     ShapeOfUnloading at = work_.rebound().shape_at(start, peak.shape);

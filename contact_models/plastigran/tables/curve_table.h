@@ -82,7 +82,7 @@ class CurveTable : public Curve, public LargestOverlap {
   }
 
   // Interface for adhesive.h. elastic_range() returns overlap/R* at the end of the elastic formula.
-  // after_loading(x) returns the contact loaded to x > 1 times this overlap.
+  // after_loading(x) returns the quantities of a contact loaded to x > 1 times this overlap.
   double elastic_range() const { return Curve::breaks[0] * overlap_ratio_; }
   PLASTIGRAN_DEVICE Peak after_loading(double x) const {
     const double unit = Curve::breaks[0], root = std::sqrt(unit);
