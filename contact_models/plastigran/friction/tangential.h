@@ -79,8 +79,8 @@ struct TangentialResponse {
                              // third order in the step
 };
 
-// Rotation of the contact plane in a step: the shortest one between the two normals, followed by
-// the spin about the new normal.
+// Rotation of the contact plane in a step: the shortest rotation between the two normals, followed
+// by the spin about the new normal.
 class FrameRotation {
  public:
   // `before` is the normal of the previous step, zero before first touch.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Hertz 1881 (J. reine angew. Math. 92:156): frictionless elastic contact, the limit of every
-// yielding law for an infinite yield strength.
+// Hertz 1881 (J. reine angew. Math. 92:156): frictionless elastic contact, the limit of most
+// yielding laws for an infinite yield strength.
 //
 //   F = 4/3 E* sqrt(R*) overlap^(3/2),   a = sqrt(R* overlap),   energy 2/5 F overlap
 //

@@ -5,7 +5,7 @@
 // until pull-off. F_c is the pull-off force, Gamma the work of adhesion:
 //
 //   F |                 /        forms: overlap 0, F = -8/9 F_c
-//     |               /          least force: -F_c = -3/2 pi Gamma R*
+//     |               /          largest attraction: F_c = 3/2 pi Gamma R*
 //     |_____________/__ overlap  breaks: F = -5/9 F_c,
 //     |    |      /              overlap = -3/4 (pi^2 Gamma^2 R*/E*^2)^(1/3)
 //     |   /     _/

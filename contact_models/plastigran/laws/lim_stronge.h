@@ -12,9 +12,9 @@
 //     |      _/ /
 //     |_____/__/____ overlap
 //
-// Range: length >= 10 R*, half-width a below 0.6 D (nu near 0.25). Unloading follows
-// the elastic curve if the contact has not yielded, otherwise a straight line. The unloading curve
-// therefore jumps at yield, but the force does not.
+// A contact that has not yielded unloads along the elastic curve. The unloading curve therefore
+// jumps at yield, but the force does not. Range: length >= 10 R*, half-width a below 0.6 D (nu near
+// 0.25).
 #pragma once
 
 #include "plastigran/tables/line_contact.h"

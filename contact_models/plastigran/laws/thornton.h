@@ -18,7 +18,7 @@
 //          overlap_res
 //
 // Range: a << R*. The constant pressure underestimates hardness: at 120 times the yield speed the
-// peak force is 43 % below finite elements (docs/laws/thornton.md).
+// peak force is 43 % below finite elements (docs/validation_spheres.md).
 #pragma once
 
 #include "plastigran/shared/contact.h"

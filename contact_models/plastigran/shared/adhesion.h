@@ -37,7 +37,7 @@ double pull_off_distance([[maybe_unused]] const Law& law, [[maybe_unused]] doubl
 }
 
 // Returns the largest root of w^4 - b w = x, with b >= 0, by Ferrari's solution. If there is no
-// root, returns (b/4)^(1/3), where w^4 - b w is least.
+// root, returns (b/4)^(1/3), where w^4 - b w is smallest.
 [[gnu::noinline, gnu::const]] PLASTIGRAN_DEVICE inline double near_pull_off(double x, double b) {
   const double least = std::cbrt(0.25 * b), square = least * least;
   const double depth = x / (3 * square * square);
@@ -97,7 +97,7 @@ class JkrContact {
   PLASTIGRAN_DEVICE double pull_off_force(double radius_eff) const {  // returns 3/2 pi Gamma R* [N]
     return 0.75 * modulus_ * pull_ * pull_ * radius_eff;
   }
-  // Returns the overlap at pull-off, the least overlap of a contact [m].
+  // Returns the overlap at pull-off, the smallest overlap of a contact [m].
   PLASTIGRAN_DEVICE double pull_off_overlap(double radius_eff) const {
     return -0.75 * pull_ * root_at_pull_off(radius_eff);
   }

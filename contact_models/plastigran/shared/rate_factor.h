@@ -3,7 +3,7 @@
 // Yield strength that increases with the strain rate (Johnson & Cook 1983, 7th Int. Symp.
 // Ballistics: 541), without temperature:
 //
-//   factor = 1 + C ln(rate/reference_rate) above the reference rate, 1 up to it
+//   factor = 1 + C ln(rate/reference_rate) above the reference rate, otherwise 1
 //
 // One strain rate represents a whole impact: the closing speed v at first touch divided by the
 // radius R. Reason: the mean strain of an indentation is 0.2 a/R (Tabor, The Hardness of Metals,

@@ -174,7 +174,7 @@ class CurveTable : public Curve, public LargestOverlap {
   double modulus_;        // 4/3 E* [Pa]
   double overlap_ratio_;  // overlap_y/R* [-]
   Unloading unloading_;
-  Guard guard_;                   // least plastic work as a function of x, divided by F_y overlap_y
+  Guard guard_;                   // lower limit of plastic work divided by F_y overlap_y, versus x
   Tabulated<1, 9> loading_work_;  // work of loading divided by F_y overlap_y
   Tabulated<2> works_;            // work of loading and released energy, divided by F_y overlap_y
   Tabulated<quantities> loaded_;

@@ -54,7 +54,7 @@ class EnergyGuard {
     }
   }
 
-  // Returns the least plastic work of loading to an overlap.
+  // Returns the lower limit of the plastic work after loading to an overlap.
   PLASTIGRAN_DEVICE double least_loss(double overlap) const {
     for (const Stretch& stretch : stretches_)
       if (overlap >= stretch.begin && overlap < stretch.end) return stretch.lost;
