@@ -9,7 +9,7 @@ from plastigran.cli import main
 
 
 def all_commands(command: argparse.ArgumentParser) -> list[argparse.ArgumentParser]:
-    """Return every command; a command with subcommands is represented by those."""
+    """Return all commands; subcommands replace the command that has them."""
     for action in command._actions:
         if isinstance(action, argparse._SubParsersAction):
             return [found for below in action.choices.values() for found in all_commands(below)]

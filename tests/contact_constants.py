@@ -16,7 +16,7 @@ VALUES = {
 
 
 def required(law: str) -> dict[str, float]:
-    """Return values for the constants that a law requires, per-body constants left out."""
+    """Return values for the constants that a law requires, without per-body constants."""
     table = laws.LAWS[law].parameters()
     names = [row["name"] for row in table if row["default"] is None and not row["per_body"]]
     return {name: VALUES[name] for name in names}

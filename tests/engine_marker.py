@@ -46,8 +46,8 @@ def _functions(item: pytest.Function) -> Iterator[FunctionType]:
     seen = set()
     while waiting:
         function = waiting.pop()
-        inner = getattr(function, "hypothesis", None)  # wrapped by @given
-        function = unwrap(inner.inner_test if inner else function)  # or by a cache
+        inner = getattr(function, "hypothesis", None)  # the test inside @given
+        function = unwrap(inner.inner_test if inner else function)  # the function inside a cache
         if not isinstance(function, FunctionType) or function in seen:
             continue
         if not Path(function.__code__.co_filename).is_relative_to(TESTS):

@@ -58,5 +58,5 @@ def finished_run(folder: Path, log: str, before: str = "", **record: object) -> 
 
 
 def table(columns: str, *rows: str) -> str:
-    """Return the log of one run."""
+    """Return the log of one run with the given columns and rows."""
     return "\n".join((f"Step {columns}", *rows, "Loop time of 1\n"))

@@ -73,8 +73,8 @@ def test_scatter_is_in_the_error():
         ratios.append([discharge.rate / MASS / 800 - 1, discharge.rate_error / discharge.rate])
     off, error = np.array(ratios).T
     # The steady part has about 440 grains, so the relative error is 440^(-1/2) = 0.048. The slope
-    # of a fitted line has 6/5 times the variance of a mean of blocks, 1.1 times its standard
-    # deviation. 100 runs determine a standard deviation within a tenth.
+    # of a fitted line has 6/5 times the variance of a mean over blocks, which is 1.1 times its
+    # standard deviation. 100 runs determine a standard deviation within a tenth.
     assert error.mean() == pytest.approx(440**-0.5, rel=0.2)
     assert off.std() == pytest.approx(1.1 * error.mean(), rel=0.25)
 

@@ -45,8 +45,8 @@ def test_checkpoint_beyond_the_log_is_not_the_newest(short_gas, cut_log):
 def test_incomplete_checkpoint_is_not_the_newest(short_gas, ranks, tmp_path):
     """A full disk truncates a checkpoint or fills its rest with zeros, while the log continues.
 
-    There are no checksums, as after a kill. Zeros after a complete file mean ranks without
-    particles.
+    There are no checksums, as after a kill. Zeros at the end of a complete file stand for ranks
+    without particles.
     """
     folder = tmp_path / "full"
     if ranks == 1:

@@ -29,7 +29,7 @@ def steady(flowed):
 
 def test_flow_has_bagnolds_profile_and_dissipates_the_power_of_the_weight(flowed, steady):
     assert flowed.passed
-    assert flowed.deck.derived("grains") == 2 * 5 * 4 * (9 + 1)  # the base is a cell deep
+    assert flowed.deck.derived("grains") == 2 * 5 * 4 * (9 + 1)  # the base is one cell deep
     assert steady["speed"].min() > 0.05
     work = steady[["plastic", "friction"]].iloc[-1] - steady[["plastic", "friction"]].iloc[0]
     assert (work > 0.03 * work.sum()).all()
@@ -42,8 +42,9 @@ def test_missing_dissipation_is_noticed(flowed, steady):
 
 
 def test_fewer_rows_widen_the_limit_of_the_weight(flowed):
-    """With rows 0.06 s apart, the trapezoidal rule errs by 5e-3 of the work; the check allows
-    more."""
+    """With rows 0.06 s apart, the trapezoidal rule has an error of 5e-3 of the work. The check
+    allows this error.
+    """
     sparse = read_series(flowed.folder).iloc[::12].reset_index(drop=True)
     weight = flowed.deck.analyse(sparse).checks[-2]
     assert "work of gravity" in weight.name and weight.passed
@@ -58,7 +59,7 @@ def test_flow_that_stops_is_noticed(tmp_path):
 
 
 def test_glued_base_stays(flowed):
-    """Two layers, a cell deep, stay in place while the other grains flow."""
+    """Two layers of grains, together one cell deep, stay in place while the other grains flow."""
     frames = read_dump(flowed.folder / "grains.dump").set_index("id")
     first, last = (frames[frames["step"] == step] for step in frames["step"].agg(["min", "max"]))
     base = last[(last[["vx", "vy", "vz"]] == 0).all(axis="columns")]

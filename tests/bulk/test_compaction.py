@@ -41,7 +41,8 @@ def test_loop(pressed):
     """
     assert pressed.passed  # a check compares the work of the punch
     loop = loop_of(pressed)
-    # The density changes by up to 2e-3 between two rows, one of which is next to the turn.
+    # The density changes by up to 2e-3 between two rows; one of these rows is next to the lowest
+    # point of the punch.
     assert loop.peak == pytest.approx(0.7, abs=2e-3)
     assert loop.touch < loop.released < loop.peak
     assert loop.permanent > 0.05 and loop.spring_back > 0.05

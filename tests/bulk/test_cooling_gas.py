@@ -21,7 +21,7 @@ def gas(**changes) -> CoolingGas:
 
 
 def test_follows_mean_field(yielding_gas):
-    """The check allows 8 % for mean field and four standard deviations; the gas cools by more."""
+    """The check allows an error of 8 % plus four standard deviations; the gas cools by far more."""
     assert yielding_gas.passed
     series = yielding_gas.series
     assert series["temperature"].iloc[-1] < 0.4 * series["temperature"].iloc[0]
@@ -51,8 +51,9 @@ def test_options_reach_the_theory():
 
 
 def test_duration_is_in_collision_times(yielding_gas):
-    """The deck uses the collision rate of theory. The tolerance 1e-3 covers the end, which is
-    rounded to a row."""
+    """The deck uses the collision rate of theory. The tolerance 1e-3 covers the end of the run,
+    which is rounded to a log line.
+    """
     deck, series = yielding_gas.deck, yielding_gas.series
     times = series["time"].iloc[-1] * float(deck.gas().collision_rate(deck.temperature))
     assert times == pytest.approx(deck.duration, rel=1e-3)

@@ -61,13 +61,13 @@ def test_angle_rises_with_friction(turned, tmp_path):
 
 @pytest.fixture(scope="module")
 def begun(bulk_run) -> BulkRun:
-    """The brief run, with spectra."""
+    """Short run of the drum, with collision spectra."""
     return bulk_run("drum", {**Drum.briefs[""].settings, "frames": 2, "spectra": "on"})
 
 
 @pytest.fixture(scope="module")
 def rest(begun, tmp_path_factory) -> BulkRun:
-    """The run `begun`, continued from its last checkpoint but one."""
+    """Continuation of the run `begun` from its newest checkpoint."""
     folder = tmp_path_factory.mktemp("drum") / "rest"
     return run_bulk("drum", {}, folder, restart=begun.folder, show=False)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Mean-field cooling against closed forms."""
+"""Mean-field cooling, compared with closed forms."""
 
 from __future__ import annotations
 
@@ -18,14 +18,17 @@ def constant(e: float):
 
 
 def yielding(speed):
-    """Return e of a law with 1 - e^2 = (1 - 1/g^2)/2 above 1 m/s: mean loss exp(-1/(4T))/2."""
+    """Return the restitution e of a law with 1 - e^2 = (1 - 1/g^2)/2 for speeds g above 1 m/s. Its
+    mean loss is exp(-1/(4T))/2.
+    """
     return np.sqrt(1 - 0.5 * (1 - 1 / np.maximum(speed, 1) ** 2))
 
 
 @pytest.mark.parametrize("e", [0.0, 0.5, 0.9])
 def test_constant_restitution_is_haffs_law(e):
-    """T is T0/(1 + t/tau)^2 with tau = 6/((1 - e^2) omega0), within 1e-5 relative to T. This
-    tolerance is a hundred times that of the ODE solver."""
+    """The temperature is T0/(1 + t/tau)^2 with tau = 6/((1 - e^2) omega0), to a relative 1e-5. This
+    tolerance is a hundred times the tolerance of the ODE solver.
+    """
     gas, start = Gas(RADIUS, 0.2, constant(e), 1000), 3.0
     rate = float(gas.collision_rate(start))
     times = np.linspace(0, 300, 40) / rate

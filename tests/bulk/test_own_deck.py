@@ -199,7 +199,7 @@ def test_deck_without_checkpoints_cannot_continue(plain, tmp_path):
 
 
 def test_run_that_restarted_its_step_count_cannot_continue(tmp_path):
-    """The step of a checkpoint does not show which one is the newest."""
+    """After `reset_timestep`, the steps of checkpoints do not show their order."""
     deck = write_deck(tmp_path / "falling", "thornton", "soft_granules")
     log = f"{table('Atoms', '0 5')}reset_timestep 0\n"
     folder = finished_run(tmp_path / "run", log, deck="falling")

@@ -78,7 +78,8 @@ def test_interrupt_stops_every_rank_and_keeps_the_files(start, ranks, sent, tmp_
 
 def test_run_continues_after_a_kill_of_liggghts(start, tmp_path):
     run = start(tmp_path / "run", ranks=2)
-    os.kill(max(engines(tmp_path / "run")), signal.SIGKILL)  # a rank; mpirun started first
+    # Kill the newest process. It is a rank, because mpirun starts first.
+    os.kill(max(engines(tmp_path / "run")), signal.SIGKILL)
     _, message = run.communicate(timeout=60)
     assert run.returncode == 1 and "cooling_gas.in" in message
     assert "LIGGGHTS was stopped by the signal SIGKILL" in message

@@ -51,14 +51,16 @@ def test_free_sample_is_strong(test_run):
 
 
 def test_without_adhesion_there_is_no_strength(test_run, other):
-    """Grains without adhesion collapse, and pack more densely before."""
+    """Without adhesion, the free sample collapses; before, it is denser than with adhesion."""
     loose = strength_of(other(surface_energy=0, adhesion_ratio=0))
     assert loose.ratio < 0.01
     assert loose.porosity < strength_of(test_run).porosity - 0.02
 
 
 def test_consolidation_strengthens(test_run, other):
-    """At four times the stress, porosity falls and strength rises by more than seeds differ."""
+    """At four times the stress, porosity falls and strength rises by more than the scatter between
+    seeds.
+    """
     weak, strong = strength_of(test_run), strength_of(other(consolidation_stress=2e4))
     assert strong.porosity < weak.porosity - 0.02
     assert strong.unconfined > 1.3 * weak.unconfined

@@ -144,7 +144,7 @@ def test_expected_error_is_unknown_for_other_pairs():
     assert unknown.restitution is None
     reason = "unknown, because finite elements exist only for spheres on a rigid plane"
     assert str(unknown).startswith(f"not known ({reason}, ")
-    # The argument `speeds` is for a sphere on a rigid plane, whatever the drop test was.
+    # The argument `speeds` always applies to a sphere of the metal on a rigid plane.
     intended = calibrate(**STEEL, drops=on_glass, speeds=(0.05, 0.3)).expected_error
     assert intended.restitution is not None
 
@@ -188,7 +188,7 @@ def test_wrong_arguments_are_refused(arguments, message):
 
 
 def test_hardness_and_leeb_agree_for_steel():
-    """The rms difference is below 10 %, the scatter of conversions in HV, and intervals overlap."""
+    """The rms difference is below 10 %, the scatter of conversions in HV. The intervals overlap."""
     differences = []
     for reading, vickers in leeb_table().to_numpy()[::4]:
         leeb, hardness = calibrate(**STEEL, leeb=reading), calibrate(**STEEL, hardness=vickers)
@@ -233,7 +233,7 @@ def test_other_metals_get_a_note_on_the_strain_rate():
 
 
 def test_trend_of_the_deviation_with_speed_gives_a_note():
-    """Restitution of drops follows thornton; universal decreases less with speed."""
+    """The restitutions follow `thornton`; those of `universal` decrease less with speed."""
     metal = Material("metal", **STEEL, yield_strength=6e8)
     speeds = np.geomspace(0.3, 3, 8)
     impacts = pg.Contact("thornton", metal, pg.RIGID, radius=5e-3).impact(speeds)

@@ -48,7 +48,7 @@ def test_time_step_and_overlap_grow_by_the_same_factor():
 
 
 def test_strength_must_be_softened_by_its_own_power():
-    """With sigma_Y unchanged nothing yields; with sigma_Y times s the yield speed decreases."""
+    """With an unchanged sigma_Y, nothing yields; with sigma_Y times s, the yield speed is lower."""
 
     def restitution(modulus_factor, strength_factor):
         changed = attrs.evolve(

@@ -80,7 +80,9 @@ def test_jkr_has_closed_forms(bodies):
 
 
 def test_flattening_increases_the_pull_off_force():
-    """The same force then needs less surface energy; without load, this contact is elastic."""
+    """After flattening, less surface energy gives the same force. Without load, the contact is
+    elastic.
+    """
     find = {"radius": RADIUS, "pull_off_force": 2e-6, "law": "thornton_ning_1998"}
     gammas = [calibrate_adhesion(POWDER, load=load, **find).surface_energy for load in (0, 1e-5)]
     elastic = calibrate_adhesion(POWDER, radius=RADIUS, pull_off_force=2e-6).surface_energy

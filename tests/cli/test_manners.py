@@ -195,7 +195,7 @@ def test_bash_completes(capsys):
 
 
 def test_doctor_runs_an_impact(capsys):
-    """The doctor runs it on one rank and on two, on a machine that has everything."""
+    """`doctor` runs the impact on one rank and on two, if all parts are installed."""
     assert main(["doctor", "--json"]) == 0
     found = {row["name"]: row for row in json.loads(capsys.readouterr().out)}
     assert {found[name]["state"] for name in ("engine", "plugin", "impact", "MPI")} == {"ok"}
@@ -233,7 +233,7 @@ def test_doctor_reports_a_missing_library(monkeypatch):
 
 @pytest.mark.engine
 def test_doctor_finds_a_plugin_of_another_version(monkeypatch):
-    monkeypatch.setattr(doctor, "TOLERANCE", 1e-9)  # then the laws appear to differ
+    monkeypatch.setattr(doctor, "TOLERANCE", 1e-9)  # LIGGGHTS then appears to differ from theory
     found = {finding.name: finding for finding in doctor.examine()}
     assert found["impact"].state == "lacks"
     assert "by theory" in found["impact"].said
@@ -268,7 +268,7 @@ def test_no_output_has_colours(line):
         started = subprocess.Popen(run, stdin=theirs, stdout=theirs, stderr=theirs, env=wanted)
         os.close(theirs)
         said = b""
-        with suppress(OSError):  # the end of a terminal
+        with suppress(OSError):  # reading fails when the terminal closes
             while more := terminal.read(65536):
                 said += more
         assert started.wait() == 0

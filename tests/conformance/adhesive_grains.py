@@ -38,7 +38,7 @@ SIDE = 1.16e-4  # side of the mesh of the wall [m]; LIGGGHTS refuses meshes belo
 CORNERS = SIDE / 2 * np.array([[0, -1, -1], [0, 1, -1], [0, 1, 1], [0, -1, 1]])
 PLATE = CORNERS[[[0, 1, 2], [0, 2, 3]]]  # two triangles that meet along y = z
 BOX = "region box block -6e-5 6e-5 -6e-5 6e-5 -6e-5 6e-5 units box\ncreate_box 2 box\n"
-# Some laws whose contacts last beyond zero overlap.
+# Some laws whose contacts persist without overlap.
 STRETCHED = ("jkr", "thornton_ning_1998", "universal adhesion jkr")
 
 
@@ -73,9 +73,9 @@ def run(law: str, folder: Path, bodies: list[str], commands: str, ranks: int = 1
         bodies: Lines of the spheres, with `@` for the atom ID.
         commands: Lines that run the simulation.
         ranks: Number of MPI ranks.
-        variables: Variables of the deck. Also `values`, constants that replace those of the law;
-            `restart`, a file to read; `mesh`, triangles of the wall, shape (n, 3, 3); and `motion`,
-            lines that move the mesh.
+        variables: Variables of the deck. Further names are `values`, constants that replace
+            constants of the law; `restart`, a file to read; `mesh`, triangles of the wall, shape
+            (n, 3, 3); and `motion`, lines that move the mesh.
     """
     folder.mkdir(exist_ok=True)
     text = "".join(body.replace("@", str(k)) for k, body in enumerate(bodies, 1))

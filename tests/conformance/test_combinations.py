@@ -265,8 +265,8 @@ def test_the_ledger_closes(name, tmp_path):
 
 @pytest.mark.parametrize("tangential", ["partial_slip", "incremental"])
 def test_hertz_beside_a_tangential_law_is_an_unyielding_law(tangential, tmp_path):
-    """LIGGGHTS' hertz and a law without yield give the same motion with a tangential law, for the
-    reason and with the tolerance of `test_an_unyielding_law_is_the_engines_hertz`.
+    """LIGGGHTS' hertz and a law without yield give the same motion with a tangential law. The
+    tolerance and its reason are the same as in `test_an_unyielding_law_is_the_engines_hertz`.
     """
     contact = Contact(f"tangential {tangential}")
     ours = start(deck(contact, strength=NO_YIELD), tmp_path / "ours")

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A sphere has one contact with a smooth surface of triangles, whose history moves across
-edges.
+"""A sphere has one contact with a smooth surface of triangles; its history moves across edges.
 
 Corners in a mesh file have seven digits. The round-off of a corner is about 1e-8 m, which is 1e-4
 of an overlap.

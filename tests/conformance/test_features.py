@@ -56,8 +56,8 @@ class Feature:
         more: Values of each grain to compare in addition to its motion.
         thermo: Values of the log to compare.
         steps: Number of steps of the run.
-        differs: Whether LIGGGHTS' own models differ on two ranks. Each rank then draws its own
-            random grains, or uses radii of the other rank that are some steps old.
+        differs: Whether LIGGGHTS' own models give other results on two ranks. Each rank then draws
+            its own random grains, or uses radii of the other rank that are some steps old.
     """
 
     commands: str

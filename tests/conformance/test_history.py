@@ -38,8 +38,8 @@ def turned_pair_forces(law: str, folder: Path) -> np.ndarray:
 
 
 def test_pair_flip(history_law, tmp_path):
-    """A contact during unloading that turns by half a revolution keeps its force through sorts
-    and rebuilds of the neighbor lists.
+    """A contact turns by half a revolution during unloading. It keeps its force when atoms are
+    sorted and neighbor lists are rebuilt.
 
     The relative tolerance is 1e-7: the overlap is a difference of positions 2000 times larger, and
     the unloading curve is steep.
@@ -69,8 +69,8 @@ def test_second_touch_is_a_new_contact(history_law, geometry, rebuild, tmp_path)
     bodies = scene(history_law, dissipative_constant=LARGE)
     body = bodies.material.body()
     law = bodies.law(laws.combine(body, body if geometry == "pair" else RIGID))
-    # A sphere that is kept in place is one of two equal spheres: R* = R/2, and m* is the mass of
-    # the other sphere.
+    # In a pair of equal spheres, one sphere is kept in place: R* = R/2, and m* is the mass of the
+    # moving sphere.
     radius_eff = 0.05 if geometry == "pair" else 0.1
     mass = bodies.mass()
 

@@ -14,7 +14,7 @@ from plastigran import laws
 from plastigran.engine.dumps import read_dump
 from plastigran.engine.process import EngineStopped
 
-# The frames of between_runs.in: one per step, and one at the start of a run.
+# Frames that between_runs.in writes: one per step, and one at the start of each run.
 STAGES = (
     "held",
     "held",
@@ -171,7 +171,7 @@ def test_restart_has_the_settings_of_the_line(tmp_path):
     log = bodies.run("restart_read", tmp_path / "rest", restart=restart, **case)
     assert "unloading original_radius" in log
     tables = {name: read_dump(tmp_path / name / "trajectory.dump") for name in ("whole", "rest")}
-    # The dashpot force at the start of a run uses the velocities of that time.
+    # The dashpot force at the start of a run uses the velocities at that time.
     whole, rest = (
         table[table["step"] > before].drop_duplicates(["step", "id"]) for table in tables.values()
     )

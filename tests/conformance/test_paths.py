@@ -62,7 +62,7 @@ def test_plastic_work_never_decreases(law_name, law_between, turns):
         answer = law.follow(RADIUS, path(turns) * overlap_y)
         work = answer["plastic_work"]
         # Largest energy of first loading. The plastic work is a difference of two such energies, so
-        # their round-off limits it.
+        # their round-off limits its accuracy.
         fresh = (work + answer["elastic_energy"]).max()
         rounding = 1e-13 * max(fresh, force_y * overlap_y)
         assert (np.diff(work) >= -rounding).all()
@@ -147,7 +147,8 @@ def test_restitution_lies_between_zero_and_one(law_name, law_between, speed_rati
     for pair in PAIRS.values():
         law = law_between(law_name, pair)
         overlap_y, force_y = scales(law_name, pair)
-        speed = speed_ratio * np.sqrt(force_y * overlap_y / 1e-3)  # yield speed to 5 %
+        # The square root is the yield speed within 5 %.
+        speed = speed_ratio * np.sqrt(force_y * overlap_y / 1e-3)
         found = law.central_impact(RADIUS, 1e-3, speed)
         assert 0 < found.coefficient_of_restitution <= 1 + 1e-9
         assert 0 <= found.overlap_res < found.overlap_max

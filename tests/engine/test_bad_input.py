@@ -70,7 +70,7 @@ BRINELL = r"indentationPressure is \d+; it must be between 100000 .* a hardness 
 
 
 def test_good_input_runs(tmp_path, engine_law):
-    """The log states the constants of the model, and LIGGGHTS makes the step."""
+    """The log states the constants of the model, and LIGGGHTS completes the step."""
     log = run(tmp_path, law=engine_law)
     modulus = 7.0e10 / (2 * (1 - 0.3**2))  # two equal bodies
     assert f"model {engine_law}, atom types 1 and 1: effective modulus {modulus:.6g} Pa" in log

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The neighbor skin sets how often lists are rebuilt and changes no contact."""
+"""The neighbor skin determines how often neighbor lists are rebuilt; it changes no contact."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ run             8000
 """
 
 
-#: Changed words of the deck. `surface multicontact` keeps tangential springs of a plane that a
+#: Replaced words of the deck. `surface multicontact` keeps tangential springs of a plane that a
 #: sphere has left.
 MODELS = {
     "universal": {"": ""},

@@ -29,7 +29,7 @@ def stock(folder: Path, preload: Path | None, **variables) -> subprocess.Complet
     line = ["liggghts", *command(deck, VISCOSITY | variables, folder)[1:]]
     extra = {}
     if preload:
-        link = folder / "preloaded.so"  # the loader splits at spaces
+        link = folder / "preloaded.so"  # the loader splits LD_PRELOAD at spaces
         link.symlink_to(preload)
         extra["LD_PRELOAD"] = str(link)
     return subprocess.run(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Running LIGGGHTS quotes its errors, stops after a time limit, and leaves no process behind."""
+"""`run_deck` quotes errors of LIGGGHTS, stops after a time limit, and leaves no process behind."""
 
 from __future__ import annotations
 

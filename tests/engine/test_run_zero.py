@@ -73,7 +73,9 @@ def run(folder: Path, first: str, **values: object) -> tuple[np.ndarray, pd.Data
 )
 def test_a_run_of_no_steps_changes_nothing(change, values, tmp_path):
     """Loads, rate factors and heat of contacts are bitwise identical. Changes by the deck after
-    `run 0` count as energy from outside; the sums of the energy balance have another order."""
+    `run 0` count as inserted energy. The balance error agrees to round-off, because sums have
+    another order.
+    """
     values = {"rate_coefficient": 0.0, "change": change} | values
     path, entries = run(tmp_path / "plain", "", **values)
     path_after, entries_after = run(tmp_path / "after", "run 0", **values)

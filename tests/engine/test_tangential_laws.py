@@ -184,16 +184,16 @@ thermo 1"""
 @pytest.mark.parametrize("strength", [1e15, 1e8])
 @pytest.mark.parametrize("law", LAWS)
 def test_friction_adds_no_error_to_the_energy_balance(law, strength, tmp_path):
-    """An impact at about the recommended time step, elastic and plastic, at 20 and 70 degrees.
+    """Elastic and plastic impacts at 20 and 70 degrees run with about the recommended time step.
 
-    Friction does not change the normal motion, so the balance error of the normal motion is that of
-    an impact without friction. The rest is the error of friction. Velocity Verlet leaves an error
-    of 7/16 (T dt)^2/m while the tangential force T acts, and none after it.
+    Friction does not change the normal motion, so the balance error of the normal motion equals the
+    error of an impact without friction. The rest is the error of friction. Velocity Verlet leaves
+    an error of 7/16 (T dt)^2/m while the tangential force T acts, and none after it.
 
     The target of the balance error, 1e-6 of the kinetic energy, was set before the first run. The
-    dissipated work, friction less the energy of the springs, does not fall, except for the error of
-    the trapezoidal rule. The tolerance of this work, 1e-5 of the kinetic energy, was set after the
-    first run, which gave 1.4e-6.
+    dissipated work (friction work minus energy of the springs) does not decrease, except for the
+    error of the trapezoidal rule. The tolerance of this work, 1e-5 of the kinetic energy, was set
+    after the first run, which gave 1.4e-6.
     """
     for angle in (20, 70):
         drifts = []

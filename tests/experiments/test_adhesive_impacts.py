@@ -62,7 +62,7 @@ def test_the_remark_has_the_sticking_speed_of_each_sphere(call, capsys):
 
 
 def test_surface_energy_of_the_material(call, tmp_path, capsys):
-    """The option replaces the value of the material; `mdr` ignores both."""
+    """--surface-energy replaces the value of the material; `mdr` ignores both."""
     (tmp_path / "powder.in").write_text(POWDER + "variable surface_energy index 0.1\n")
     found = []
     for option in ([], ["--surface-energy", "0.1", "0.2"]):

@@ -102,8 +102,9 @@ def test_speeds_of_any_shape():
 
 
 def test_a_path_accounts_for_its_work():
-    """Elastic energy plus plastic work equal the work of the force within 1e-4 of it, the error of
-    the trapezoidal rule."""
+    """Elastic energy plus plastic work equals the work of the force to a relative 1e-4, the error
+    of the trapezoidal rule.
+    """
     path = pg.Contact("thornton", STEEL, "steel", radius=5e-3).path(np.linspace(0, 2e-5, 2000))
     work = np.trapezoid(path["force"], path["overlap"])
     last = path.iloc[-1]

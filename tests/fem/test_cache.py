@@ -92,7 +92,7 @@ def trapped(_: bytes) -> bytes:
     [lambda _: b"half", lambda whole: whole[:-9] + b"7" + whole[-8:], lambda _: b"", trapped],
 )
 def test_broken_file_is_computed_again(counted, damage):
-    """A pickle in the place of a result is also computed again, and not loaded."""
+    """A pickle file in the place of a result is not loaded; the result is computed again."""
     compute, calls = counted
     cached(compute, METAL, RADIUS, [5.0], settings=COARSE)
     (file,) = folder().iterdir()
@@ -102,7 +102,7 @@ def test_broken_file_is_computed_again(counted, damage):
 
 
 def test_a_result_comes_back_whole(tmp_path, monkeypatch):
-    """A real result has tables and fields; all its numbers are bitwise identical."""
+    """The result has tables and fields, and all its numbers are bitwise identical."""
     monkeypatch.setenv("PLASTIGRAN_CACHE", str(tmp_path))
     first, again = (cached(press, METAL, RADIUS, [20.0], settings=COARSE) for _ in range(2))
     assert again is not first and again.material == first.material

@@ -35,8 +35,8 @@ def test_constants_of_a_loading_by_the_law_are_found():
     assert found.curvature_per_force == pytest.approx(2.69e-4, rel=1e-9)
     assert found.contact_radius_error < 1e-9
     assert found.approach_error < 1e-9
-    # The default constants of the law for this sphere. The fit uses p_y/sigma_Y = 1.6128, which
-    # differs by 0.2 % from the 1.61 of the paper.
+    # The expected values are the default constants of the law for this sphere. The fit uses
+    # p_y/sigma_Y = 1.6128, which differs by 0.2 % from the 1.61 of the paper.
     assert found.contact_radius_coefficient == pytest.approx(0.0258303, rel=5e-3)
     assert found.curvature_coefficient == pytest.approx(0.00980426, rel=1e-2)
 

@@ -72,8 +72,9 @@ def test_table_that_saturates_gives_back_more_than_perfect_plasticity(plastic_pr
 
 def test_impact_at_a_rate_is_that_of_a_metal_as_strong_at_that_rate(plastic_throw):
     """A strain of 0.01 within a millisecond is a rate of 1 to 100 per second. With a reference rate
-    of 1e-6 per second, it raises the flow stress by 14 to 18 %. The rate falls late in the loading,
-    so the strength of the other metal is 14 % higher."""
+    of 1e-6 per second, this rate raises the flow stress by 14 to 18 %. The rate falls late in the
+    loading, so the strength of the other metal is 14 % higher.
+    """
     fast = throw(attrs.evolve(METAL, rate=RateFactor(0.01, 1e-6)), RADIUS, 0.02, COARSE)
     strong = attrs.evolve(METAL, hardening=LinearHardening(1.14 * STRENGTH))
     expected = throw(strong, RADIUS, 0.02, COARSE)

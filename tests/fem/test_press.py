@@ -69,7 +69,7 @@ def test_work_is_stored_or_dissipated(plastic_pressing):
     energy = history[["elastic_energy", "plastic_work", "penalty_energy"]].sum(axis=1)
     top = history["branch"].eq(0).to_numpy().nonzero()[0][-1]
     work = plastic_pressing.unloadings["work_loading"].iloc[0]
-    # The relative error of 1 % is that of backward Euler in load steps of 15 %.
+    # The relative error of 1 % is the error of backward Euler in load steps of 15 %.
     assert energy.iloc[top] == pytest.approx(work, rel=0.01)
 
 

@@ -87,7 +87,7 @@ def test_impulses_of_the_forces_turn_the_momentum(kind, request):
     for force, velocity in (("force", "velocity"), ("drag", "sliding_velocity")):
         values, speeds = (struck.history[name].to_numpy() for name in (force, velocity))
         impulse = np.sum((values[1:] + values[:-1]) / 2 * time)
-        # The nodal forces balance to 1e-5 of the largest one.
+        # The nodal forces balance to 1e-5 of the largest force.
         change = struck.case.mass * (speeds[-1] - speeds[0])
         assert impulse == pytest.approx(change, abs=1e-4 * struck.case.mass * struck.case.speed)
 

@@ -18,7 +18,7 @@ FOLLOW = PROJECT / "tests" / "first_hour" / "follow.py"
 
 @pytest.mark.engine
 def test_the_first_hour_briefly():
-    """All commands except the installation, with a small hopper."""
+    """The test runs all commands except the installation, with a small hopper."""
     done = subprocess.run(
         [sys.executable, FOLLOW, "--brief"], capture_output=True, text=True, timeout=900
     )

@@ -57,7 +57,7 @@ def run_both(in_tree, deck: Path, variables: dict[str, object], folder: Path) ->
     [
         (law, f"{deck}.in")
         for law in MODELS
-        if has_constants(law)  # decks lack constants of contacts
+        if has_constants(law)  # the decks define no constants of contacts
         for deck in IMPACTS[laws.LAWS[law].shape].geometries
     ],
 )
@@ -70,7 +70,7 @@ def test_restitution_is_that_of_the_plugin(in_tree, law, deck, tmp_path):
         measure(folder / "trajectory.dump").coefficient_of_restitution for folder in folders
     )
     assert ours == pytest.approx(plugin, rel=TOLERANCE, abs=0)
-    # The law is compiled in, not the generic class.
+    # The law is compiled in, so LIGGGHTS does not use the generic class.
     assert "not located in any whitelist" not in (folders[0] / "log.liggghts").read_text()
 
 
@@ -87,7 +87,9 @@ LEDGER, HEAT, SPECTRA = (TESTS / name / "decks" for name in ("ledger", "heat", "
     ids=["energy balance", "heat", "collision spectra"],
 )
 def test_outputs_are_those_of_the_plugin(in_tree, deck, variables, tmp_path):
-    """Energies and heat of an oblique impact on a mesh, and collision spectra of a gas."""
+    """The outputs are energies and heat of an oblique impact on a mesh, and collision spectra of a
+    gas.
+    """
     ours, plugin = (
         read_thermo(folder / "log.liggghts")
         for folder in run_both(in_tree, deck, variables, tmp_path)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A bed of grains of two materials in LAMMPS, on ranks and after restarts."""
+"""A bed of grains of two materials in LAMMPS, on several ranks and after restarts."""
 
 from __future__ import annotations
 
@@ -50,8 +50,8 @@ def test_ranks_and_order_of_grains_do_not_matter(ranks, variables, reference, tm
 
 @pytest.mark.parametrize("law", ["partial_slip", "incremental"])
 def test_tangential_laws_do_not_depend_on_the_order_of_grains(law, tmp_path):
-    """Sorting changes from which side LAMMPS stores a pair. The relative tolerance is 1e-8, because
-    collisions amplify round-off.
+    """Sorting changes which grain of a pair LAMMPS stores first. The relative tolerance is 1e-8,
+    because collisions amplify round-off.
     """
     friction = {"models": f"tangential {law} 0.5", "floor": f"tangential {law} 0.5"}
     usual, sorted_often = (

@@ -41,7 +41,7 @@ def scene(speed: float = SPEED, lines: str = "") -> str:
 
 
 def contact_lines() -> str:
-    """Return the lines that follow the particles, or `read_restart`."""
+    """Return the lines that follow the creation of the particles or `read_restart`."""
     return f"""
         pair_style granular/plastigran
         pair_coeff * * {LAW} {body()} {FRICTION}
@@ -100,6 +100,6 @@ def test_a_restart_continues_the_count(tmp_path):
 
 
 def last_restart(folder: Path, within: int) -> int:
-    """Return the last step of a restart file up to a step."""
+    """Return the latest step, up to `within`, that has a restart file."""
     steps = [int(file.suffix[1:]) for file in folder.glob("restart.*")]
     return max(step for step in steps if step <= within)

@@ -115,12 +115,13 @@ def test_oblique_collisions_with_walls_and_between_spheres_agree(tmp_path):
     ],
 )
 def test_friction_is_the_tangential_law(law, tangential, words, tmp_path):
-    """The laws, and LAMMPS' `mindlin_rescale/force` with the stiffness of the plugin for `NULL`.
+    """Collisions in LAMMPS agree with the integration in Python. LAMMPS' `mindlin_rescale/force`,
+    with the stiffness of the plugin (`NULL`), agrees with `incremental`.
 
     The relative tolerance 5e-5 is the error of the integration in Python at a twelfth of the
-    recommended time step. It was set after a first comparison, which gave 1e-5. `partial_slip`
-    depends on the steps at which it merges rings, by up to 5e-3 (docs/friction.md). Its tolerance
-    1e-3 was set after a first comparison, which gave 6e-5.
+    recommended time step. This tolerance was set after a first comparison, which gave 1e-5.
+    `partial_slip` depends on the steps at which it merges rings, by up to 5e-3 (docs/friction.md).
+    Its tolerance 1e-3 was set after a first comparison, which gave 6e-5.
     """
     ends = collide(law, 2e-9, tmp_path, sideways=0.7, friction=f"tangential {words}")
     contact = pg.Contact(

@@ -20,8 +20,8 @@ def log(folder: Path) -> str:
 @pytest.mark.parametrize("pre", ["yes", "no"])
 @pytest.mark.parametrize("steps", [0, 200])
 def test_changes_of_the_deck_between_runs_are_counted(pre, steps, tmp_path):
-    """Changes are counted with and without a setup. Terms that are printed between runs are those
-    at the end of the earlier run. The initial energy contains the energy of the walls.
+    """Changes are counted with and without a setup. Terms that are printed between runs have their
+    values at the end of the earlier run. The initial energy contains the energy of the walls.
 
     The balance error is below 1e-3 of the added energy; the time step causes a tenth of this limit.
     """

@@ -30,10 +30,10 @@ def builds(folder: Path) -> int:
 
 
 def test_terms_are_the_same_in_the_loop_of_liggghts(tmp_path):
-    """LIGGGHTS' own loop runs if contacts are dumped. It counts stored energies with the forces;
-    the plugin's loop counts them later. The deck also writes restart files, and a small skin causes
-    many neighbor-list builds. The terms agree to 1e-12 of the initial energy, because a log has 15
-    digits.
+    """LIGGGHTS' own loop runs if contacts are dumped. LIGGGHTS' loop counts stored energies
+    together with the forces; the plugin's loop counts them later. The deck also writes restart
+    files, and a small skin causes many neighbor-list builds. The terms agree to 1e-12 of the
+    initial energy, because a log has 15 digits.
     """
     deck = {"before": 7000, "after": 0, "every": 7, "skin": 0.0002}
     ours = ledger("bed", tmp_path / "ours", **deck)
@@ -46,9 +46,9 @@ def test_terms_are_the_same_in_the_loop_of_liggghts(tmp_path):
 @pytest.mark.parametrize("asks", [1, 2, 3], ids=["move", "adapt", "setforce"])
 @pytest.mark.parametrize("every", [1, 50])
 def test_terms_are_known_after_all_forces(asks, every, tmp_path):
-    """A term cannot be read within a step before all forces are known: in the first part of the
-    step, before the forces of pairs, or before the forces of walls. This also holds if the term was
-    read in the previous step.
+    """A term cannot be read before all forces of a step are known: in the first part of the step,
+    before the pair forces, or before the wall forces. This also holds if the term was read in the
+    previous step.
     """
     with pytest.raises(EngineError, match="was read within a step, before all forces are known"):
         ledger("between", tmp_path, asks=asks, every=every)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The tables of the validation pages and of the package are those that the code computes."""
+"""The tables of the validation pages and of the package equal the tables that the code computes."""
 
 from __future__ import annotations
 
@@ -90,7 +90,7 @@ def test_single_impacts_are_as_the_page_says():
 
 def test_the_crater_of_universal_is_as_large_as_measured():
     craters = steel.craters().set_index("law").loc["universal"]
-    assert list(craters) == pytest.approx([0.54, 0.35], rel=0.3)  # measured roughly
+    assert list(craters) == pytest.approx([0.54, 0.35], rel=0.3)  # rough measurements
 
 
 def test_causes_of_the_mean_error_are_those_of_the_page(page_table, monkeypatch):

@@ -14,8 +14,7 @@ from plastigran.papers.dosta24.published import drum, eight_codes, silo
 
 
 def test_published_impact_has_the_printed_ranges():
-    """The lowest and highest means of eight codes at 30, 50 and 100 ms [mm] are those of the
-    paper."""
+    """The lowest and highest mean of eight codes at 30, 50 and 100 ms [mm] agree with the paper."""
     printed = {0.03: (-136.7, -136.0), 0.05: (-115.1, -108.5), 0.1: (-67.5, -44.1)}
     for time, expected in printed.items():
         means = [
@@ -63,11 +62,11 @@ def test_free_flight_continues_a_run(coarse):
     later = 0.02
     flown = impact.displacement_at(end + later, run) - last["displacement"]
     assert flown == pytest.approx(2 * later - 9.81 / 2 * later**2, rel=1e-9)
-    assert np.isnan(impact.displacement_at(end + 0.3, run))  # it would fall again
+    assert np.isnan(impact.displacement_at(end + 0.3, run))  # the ball would fall again
 
 
 def test_small_cases(coarse, coarse_table):
-    """Small versions run, and their tables contain what physics demands."""
+    """Small versions run, and their results satisfy simple physical bounds."""
     deck = open_run(coarse("dosta24") / "impact_800_thornton_1" / "part_1").deck
     depth = coarse_table("dosta24", "impact").set_index("quantity").loc["largest depth"]
     to_floor = -1e3 * (deck.ball_height - deck.ball_radius)

@@ -17,7 +17,7 @@ def test_liggghts_agrees_with_the_equations_of_motion(coarse_table):
     difference = coarse_table("gcm15", "engine").set_index("law")
     # Friction acts one step late, and a step is a larger part of a short rebound.
     assert (difference.drop("ye_komvopoulos") < 0.2).all(axis=None)
-    assert (difference.loc["ye_komvopoulos"] < 1).all()  # its force jumps within a step
+    assert (difference.loc["ye_komvopoulos"] < 1).all()  # the force of this law jumps within a step
 
 
 def test_angle_alone_does_not_raise_restitution_to_the_experiments(coarse_table):

@@ -48,8 +48,8 @@ def test_restitution_by_nodes_oscillates_about_that_by_momentum(coarse_table):
     for row in table.to_dict("records"):
         least, largest = map(float, row["by nodes, range"].split(" to "))
         assert least < row["finite elements"] < largest
-        # The mean covers a quarter of the contact, some periods, so the vibration nearly averages
-        # out.
+        # The mean covers a quarter of the contact time, which is some periods of the vibration, so
+        # the vibration nearly averages out.
         assert row["by nodes, mean"] == pytest.approx(row["finite elements"], rel=0.03)
 
 
@@ -72,4 +72,4 @@ def test_fitted_constants_are_near_those_of_the_paper(coarse_table):
 def test_liggghts_agrees_with_the_laws(coarse_table):
     table = coarse_table("zv02", "engine")
     for column in ("LIGGGHTS vs the law, force (%)", "LIGGGHTS vs the law, restitution (%)"):
-        assert (table[column] < 0.1).all()  # allowed by the time step
+        assert (table[column] < 0.1).all()  # error in per cent that the time step may cause

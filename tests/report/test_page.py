@@ -404,7 +404,7 @@ def test_errors_of_a_law_are_for_the_speeds_of_the_sweep():
     assert theory(speed=[2 * yields, 2000 * yields]).validated == UNKNOWN
     assert theory(speed=[0.5 * yields]).validated == UNKNOWN
     table = CentralImpact.theory(law=["thornton"], speed=[2 * yields]).table
-    for material in ("mine", "steel"):  # the table is for another metal
+    for material in ("mine", "steel"):  # the table was computed for another metal
         (row,) = trust(table.assign(material=material), {})
         assert (row.validated, row.unknown_materials) == (UNKNOWN, [material])
 

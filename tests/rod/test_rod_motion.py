@@ -22,7 +22,7 @@ CASES = list(pd.read_csv(Path(__file__).parent / "rod_gcm15.csv", comment="#").i
 
 
 def law_of(name: str, **options: str):
-    """A law between the paper's rod and flat."""
+    """Return a law between the paper's rod and flat."""
     return RodImpact(name, 1.0).contact_law(**options)
 
 
@@ -138,7 +138,7 @@ def test_the_papers_rods_slide_throughout():
 
 
 def test_a_rod_that_does_not_rebound_is_an_error():
-    """With 400 times its weight, the tip oscillates in contact on the unloading curve."""
+    """With 400 times its weight, the rod stays down; its tip oscillates on the unloading curve."""
     rod = Rod(angle=90, gravitational_acceleration=4e3)
     with pytest.raises(ValueError, match="keeps its tip in contact"):
         simulate(rod, law_of("thornton"), 0.05)

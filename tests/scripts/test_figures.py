@@ -33,7 +33,8 @@ def test_figures_of_the_bulk_decks(brief_run, bulk_run, tmp_path, monkeypatch):
         return brief_run(deck, values.get("target", ""))
 
     monkeypatch.setattr(bulk_figures, "run_bulk", run)
-    monkeypatch.setattr(BulkRun, "raise_if_failed", lambda self: self)  # too short for all checks
+    # The runs are too short to pass all checks.
+    monkeypatch.setattr(BulkRun, "raise_if_failed", lambda self: self)
     parts = ["drum", "chute", "cooling_gas", "compaction", "uniaxial_test", "bed_impact"]
     make_figures.main(parts, tmp_path)
     drawn = sorted(path.name for path in tmp_path.iterdir())

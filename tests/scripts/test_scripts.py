@@ -48,7 +48,7 @@ def test_convergence_of_finite_elements():
 
 
 def test_pair_time(tmp_path, monkeypatch, capsys):
-    """Two steps of a bed of 216 spheres and of a bed of 36 discs, measured once."""
+    """The script measures two steps of a bed of 216 spheres and of a bed of 36 discs once."""
     monkeypatch.syspath_prepend(PROJECT / "benchmarks")
     script = load("benchmarks/pair_time.py")
     monkeypatch.setattr(script, "WORK", tmp_path)
@@ -73,7 +73,7 @@ def test_pair_time(tmp_path, monkeypatch, capsys):
 
 @pytest.mark.engine
 def test_peers(tmp_path, monkeypatch, capsys):
-    """Two steps of a bed of 72 spheres, measured once, in LIGGGHTS; the tests do not run LAMMPS."""
+    """The script measures two steps of a bed of 72 spheres once, in LIGGGHTS only."""
     monkeypatch.syspath_prepend(PROJECT / "benchmarks")
     script = load("benchmarks/peers.py")
     monkeypatch.setattr(script, "WORK", tmp_path)
@@ -114,8 +114,8 @@ def test_restitution_of_peers(tmp_path, monkeypatch):
 
 @pytest.mark.engine
 def test_size(tmp_path, monkeypatch, capsys):
-    """Adjacent copies of a bed of 100 grains have the same forces to round-off. A restart ends like
-    the run, and four ranks end like one rank to round-off.
+    """Adjacent copies of a bed of 100 grains have the same forces to round-off. A restarted run and
+    a run on four ranks agree to round-off with a run on one rank.
     """
     monkeypatch.syspath_prepend(PROJECT / "benchmarks")
     script = load("benchmarks/size.py")
@@ -205,7 +205,7 @@ def test_the_slurm_script_continues_from_the_older_checkpoint(tmp_path):
 
 @pytest.mark.parametrize("part", ["kills", "restarts"])
 def test_reliability(part, tmp_path, monkeypatch):
-    """Two kills or restarts; the script replaces the table of the page and nothing else."""
+    """The script runs two kills or restarts, and replaces only the table of the page."""
     monkeypatch.syspath_prepend(PROJECT / "benchmarks")
     script = load("benchmarks/reliability.py")
     page = PROJECT / "docs" / "reliability.md"
@@ -225,7 +225,9 @@ def test_reliability(part, tmp_path, monkeypatch):
 
 
 def test_the_metal_of_the_independent_finite_elements():
-    """If the stretches keep their directions, F = F_e F_p and the sum of logarithms are equal."""
+    """If the stretches keep their directions, the product F = F_e F_p and the sum of logarithmic
+    strains are equivalent.
+    """
     script = load("benchmarks/independent_finite_elements.py")
     material = script.HARD
     stretches = np.random.default_rng(7).normal(scale=0.05, size=(50, 3))
@@ -244,7 +246,7 @@ def test_the_metal_of_the_independent_finite_elements():
 
 @pytest.mark.engine
 def test_softened_decks_are_compared(tmp_path, monkeypatch):
-    """A short run of the drum: the fractions of the dissipation add up to one."""
+    """In a short run of the drum, the shares of the dissipation add up to one."""
     script = load("docs/softening.py")
     moment = {**script.DRUM, "duration": 0.06, "settling": 0.01, "rows": 24}
     monkeypatch.setattr(script, "DECKS", {"drum": moment})

@@ -80,7 +80,7 @@ def test_the_site_loads_no_foreign_file(pages):
 
 
 def test_commands_public_names_and_laws_have_their_pages(pages):
-    """Every law has a page, and one for its header."""
+    """Every law has a page, and its header has another page."""
     from plastigran import __all__ as public_names
     from plastigran import laws
 

@@ -18,7 +18,9 @@ from plastigran.plot.snapshot import draw
 
 
 def drawn(path: Path) -> np.ndarray:
-    """Return where a picture of 1000 times 800 pixels is not white, left of the scale."""
+    """Return a mask of the pixels that are not white, left of the color scale, of a picture of 1000
+    by 800 pixels.
+    """
     return (imread(path)[220:, :840, :3] < 0.97).any(axis=2)
 
 

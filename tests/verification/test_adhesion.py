@@ -82,8 +82,9 @@ def test_jkr_restitution_is_the_closed_form():
 
 
 class ThorntonNing:
-    """Thornton & Ning's law by integration of the dF/d(overlap) of the paper, with unloading by JKR
-    and the radius R_p*."""
+    """Thornton & Ning's law by integration of the paper's slope dF/d(overlap). Unloading follows
+    JKR with the radius R_p*.
+    """
 
     def __init__(self, gamma: float) -> None:
         self.gamma, self.pressure = gamma, PAIR.yield_pressure

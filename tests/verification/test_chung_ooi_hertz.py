@@ -26,8 +26,8 @@ HERTZIAN = [
 
 
 def assert_same_steps(case: BenchmarkImpact, law: str, place, steps_per_contact: int = 250) -> None:
-    """Check that every step of every column equals that of LIGGGHTS' hertz. The tolerance is
-    round-off, 1e-13 of the largest value of the column.
+    """Check that all columns agree with LIGGGHTS' hertz in every step. The tolerance is round-off,
+    1e-13 of the largest value of the column.
     """
     ours, stock = (
         steps(evolve(case, law=name, steps_per_contact=steps_per_contact), place / name)

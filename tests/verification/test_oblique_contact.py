@@ -36,8 +36,9 @@ def contact(law: str = "hertz", body: laws.Body = ELASTIC, **settings: object) -
     ],
 )
 def test_tangential_restitution(settings, expected, error):
-    """The errors of few rings were measured before. The tolerance 2e-4 is twice the round-off of
-    the table."""
+    """The errors for few rings were measured earlier. The tolerance 2e-4 is twice the round-off of
+    the table.
+    """
     outcome = contact(**settings).oblique_impact(3.9, ANGLES)
     assert outcome.tangential_restitution == pytest.approx(np.array(expected), abs=error)
 

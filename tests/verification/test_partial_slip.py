@@ -62,8 +62,9 @@ def test_beyond_its_reach_it_slides_at_the_limit_of_friction():
 
 
 def test_sheared_back_it_follows_mindlin_and_deresiewicz():
-    """The curve is that of first shear at twice the scale, T* - 2 mu F (1 - (1 - ds/(2 s_max))^1.5)
-    (Mindlin & Deresiewicz 1953, J. Appl. Mech. 20:327)."""
+    """The curve has the form of first shear at twice the scale, T* - 2 mu F (1 - (1 - ds/(2
+    s_max))^1.5) (Mindlin & Deresiewicz 1953, J. Appl. Mech. 20:327).
+    """
     reach = FRICTION * 1.1
     back = np.linspace(0.05, 1.0, 12)
     forces = sheared(np.concatenate([[0.7 * reach], -np.diff(back, prepend=0) * reach]))

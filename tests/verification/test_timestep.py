@@ -72,7 +72,7 @@ def restitution(law, speed: float, step: float, phase: float) -> float:
 
 @pytest.mark.parametrize("name", LAWS)
 def test_restitution_at_the_recommended_step(name):
-    """The error stays in its limit even if the force jumps, which shortens the step."""
+    """The error stays within its limit even if the force jumps; jumps shorten the time step."""
     worst = 0.0
     for law, speed in impacts(name, 40, seed=3):
         exact = law.central_impact(RADIUS, MASS, speed).coefficient_of_restitution

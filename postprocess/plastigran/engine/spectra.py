@@ -24,14 +24,15 @@ def read_spectra(path: str | Path) -> pd.DataFrame:
     """Read the tables of a file, one row per class that contains impacts.
 
     Args:
-        path: File.
+        path: File that `fix collision_spectra` wrote.
 
     Returns:
-        Columns: `step`, at which the table was written; `quantity`, a key of QUANTITIES; `with`,
-        PARTICLE or the ID of a wall; atom types `type` and `other_type`; `lower` and `upper` edge
-        of the class, both 0 for values that are not positive; `count`, the number of impacts; and
-        `sum`, the sum of their values. Each table counts the impacts that ended since the previous
-        table. Units are those of the deck.
+        Columns `step`, `quantity`, `with`, `type`, `other_type`, `lower`, `upper`, `count` and
+        `sum`, in the units of the deck. `step` is the step at which the table was written,
+        `quantity` a key of QUANTITIES, and `with` is PARTICLE or the ID of a wall. `type` and
+        `other_type` are atom types. `lower` and `upper` are the edges of the class, both 0 for
+        values that are not positive. `count` is the number of impacts, and `sum` the sum of their
+        values. Each table counts the impacts that ended since the previous table.
 
     Raises:
         DumpError: The file is not a table of collision spectra.

@@ -150,8 +150,8 @@ class Contact:
         return self.loading_work(overlap_max) - returned
 
     def largest_loss(self, reach: float) -> float:
-        """Return the largest plastic work [J] of the published law during loading to `reach`. It is
-        the maximum of a scan, refined.
+        """Return the largest plastic work [J] of the published law during loading to `reach`. The
+        function refines the maximum of a scan.
         """
         breaks = [end * side for end, _ in self.pieces for side in (1, 1 + 1e-12)]
         scan = {*np.geomspace(breaks[1], reach, 40)[:-1], *breaks, reach}

@@ -44,7 +44,7 @@ steel_s355,0.01,2.0
         return elastic + (plastic - elastic) * np.exp(power)
 
     def released_radius(self, left, shape):
-        return np.sqrt(left)  # both options, as in kogut_etsion
+        return np.sqrt(left)  # for both options of unloading, as in kogut_etsion
 
     def hardness_ratio(self, x):
         """Return 4 H/(C Y)."""

@@ -26,7 +26,7 @@ def reference(law: str) -> type[CentralImpact]:
 
 def jumps(law: str) -> list[tuple[float, float]]:
     """Return the jumps of the force during first loading, for the first impact of the law. A jump
-    has its overlap, divided by the overlap at yield, and the relative change of the force.
+    consists of its overlap, divided by the overlap at yield, and the relative change of the force.
     """
     impact, places = _impact(law, rows(law)[0]), []
     for (end, before), (_, beyond) in pairwise(impact.pieces):
@@ -51,7 +51,7 @@ def _impact(law: str, row: dict[str, str | float]) -> CentralImpact:
 
 @cache
 def outcome(law: str, index: int) -> Outcome:
-    """Return the outcome of an impact, which energies and motion must give alike.
+    """Return the outcome of an impact; the computations from energies and from motion must agree.
 
     Raises:
         ValueError: Energies and motion do not agree to 1e-9, or the end of the elastic formula is

@@ -3,13 +3,13 @@
 53 (1996) 5382.
 
 The force is F = rho_k (d^1.5 + 1.5 A sqrt(d) d') with rho_k = 4/3 E* sqrt(R*), until it vanishes.
-With units of speed and of (m v^2/rho_k)^(2/5), the motion depends only on b = 1.5 A (rho_k/m)^(2/5)
-v^(1/5) = v*^2:
+In units of the impact speed v and of the length (m v^2/rho_k)^(2/5), the motion depends only on b =
+1.5 A (rho_k/m)^(2/5) v^(1/5) = v*^2:
 
     d'' = -f,  f = sqrt(d) (d + b d')
 
-Energies do not give the outcome by quadrature. So the second computation uses r = d'/d as variable
-instead of time.
+The outcome does not follow from energies by quadrature. So the second computation uses r = d'/d as
+variable instead of time.
 """
 
 from __future__ import annotations
@@ -67,7 +67,7 @@ def opening(b: float, begin):
 
 
 def largest(function, begin: float, end: float) -> float:
-    """Return the largest value between two points: the best of a scan, refined."""
+    """Return the largest value between two points, by a scan and its refinement."""
     scan = np.linspace(begin, end, 201)
     top = int(np.argmax([function(x) for x in scan]))
     bounds = sorted((scan[max(top - 1, 0)], scan[min(top + 1, 200)]))

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """L. Vu-Quoc & X. Zhang, Proc. R. Soc. A 455 (1999) 4013; X. Zhang & L. Vu-Quoc, Int. J. Impact
-Eng. 27 (2002) 317, eqs 4.1-4.9, as total overlap.
+Eng. 27 (2002) 317, eqs 4.1-4.9, written for the total overlap.
 
 The law gives the overlap as a function of the force. Beyond P_Y = pi^3 R*^2 p_y^3/(6 E*^2):
 
