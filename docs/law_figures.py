@@ -33,7 +33,11 @@ def sphere_law(name: str):
 
 
 def cylinder_law(name: str):
-    """Return the same for a cylinder and for glass; length and body thickness are ten radii."""
+    """Return the values of `sphere_law` for a rigid cylinder on glass.
+
+    The length of the cylinder and the thickness of the glass are ten radii. The speed is for a
+    cylinder of 1 kg.
+    """
     glass = read_material("glass_kp10")
     pair, strong = (
         laws.combine(body.body(), RIGID) for body in (glass, evolve(glass, yield_strength=1e20))

@@ -49,7 +49,7 @@ def stiff_material() -> Material:
 
 
 def measure(run: BulkRun) -> dict[str, float]:
-    """Return the compared quantities.
+    """Return the quantities of a run that the script compares.
 
     These are the discharge rate of the hopper [grains/s] or the power of the drum's wall [W], and
     the shares of the dissipation.

@@ -14,7 +14,7 @@ Args:
     force: Whether to overwrite an earlier run in `folder`.
     ranks: Number of MPI ranks.
     restart: Folder of an earlier run to continue.
-    host: Program that runs the deck: liggghts, the default, or lammps.
+    host: Program that runs the deck: liggghts (default) or lammps.
     settings: Settings of the deck to override.
 """
 

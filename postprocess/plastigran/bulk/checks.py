@@ -33,7 +33,7 @@ FINE_ROWS = 0.25
 #: includes the work of gravity, so the potential energy is not one of the terms.
 ENERGIES = ["kinetic", "elastic", "plastic", "friction", "viscous"]
 #: Further terms of this sum for contacts with adhesion: the surface energy, which is negative, and
-#: the energy lost when contacts form and break. They count only if the log has both.
+#: the energy lost when contacts form and break. They are used only if the log has both columns.
 ADHESION = ["surfaces", "adhesion"]
 #: Energy terms of dissipation.
 DISSIPATED = ["plastic", "friction", "viscous"]
@@ -81,7 +81,7 @@ def range_checks(excess: dict[str, float]) -> list[Check]:
 def energy_input(series: pd.DataFrame) -> float:
     """Return the energy input by gravity, walls, inserted grains and initial motion [J].
 
-    The function takes the largest sum of kinetic, stored and dissipated energy over all rows.
+    It is the sum of kinetic, stored and dissipated energy in the row where this sum is largest.
     """
     return float(series[energy_terms(series)].sum(axis="columns").max())
 

@@ -82,8 +82,8 @@ class BulkDeck:
 
     #: Short runs of the deck for the conformance tests, by label.
     briefs: ClassVar[Mapping[str, Brief]] = {}
-    #: Largest allowed balance error as a fraction of the energy input. None: `ledger_limit`
-    #: computes it from the time step.
+    #: Largest allowed balance error as a fraction of the energy input. If None, `ledger_limit`
+    #: computes the limit from the time step.
     balance_limit: ClassVar[float | None] = None
 
     output: Path = attrs.field(converter=Path)

@@ -19,7 +19,7 @@ SMALL = 2e-3
 def ledger_panels(series: pd.DataFrame, total: float, limit: float) -> tuple[Panel, Panel]:
     """Return two panels versus time: stacked energy terms, and balance error.
 
-    Both are percentages of the energy input.
+    Both panels are in per cent of the energy input.
 
     The surface energy of contacts with adhesion is negative and is drawn below zero.
 

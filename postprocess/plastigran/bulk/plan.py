@@ -39,7 +39,7 @@ class Plan:
         deck_type: Class of the deck; None for a user's input script.
         folder: Folder of the results.
         ranks: Number of MPI ranks.
-        values: Settings that override those of the deck.
+        values: Settings that override settings of the deck.
         places: Settings whose values are paths of files or folders.
         earlier: Folder of the run to continue, or None.
         checkpoint: Restart file from which the run continues, or None.

@@ -87,7 +87,7 @@ class Host:
     Attributes:
         name: Name for users.
         log: Name of its log.
-        start: Function that returns the start of a command line for a number of ranks.
+        start: Function that returns the first words of a command line for a number of ranks.
         environment: Function that returns its environment.
         additions: Names of environment variables that a user must set to run the command line.
     """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Results table and record of a sweep, the files beside the folders of its runs."""
+"""Results table and record of a sweep, two files beside the folders of its runs."""
 
 from __future__ import annotations
 
@@ -94,7 +94,7 @@ def _is_number(cell: str) -> bool:
 
 
 def read_study(folder: Path) -> tuple[dict[str, Any], list[str]]:
-    """Return the valid entries of a sweep's record, and sentences on damaged ones."""
+    """Return the valid entries of a sweep's record, and sentences on damaged entries."""
     try:
         record = json.loads((folder / STUDY).read_text(encoding="utf-8"))
     except FileNotFoundError:

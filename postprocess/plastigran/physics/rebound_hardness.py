@@ -86,7 +86,7 @@ class ReboundTester:
 
 
 def dented_flat(law: str) -> dict[str, str]:
-    """Return the option that makes the flat yield instead of the sphere; {} without this option."""
+    """Return the option by which the flat yields, not the sphere; {} if a law lacks the option."""
     words = {option["name"]: option["choices"] for option in laws.LAWS[law].options()}
     return {name: "flat" for name in ("yielding",) if "flat" in words.get(name, ())}
 

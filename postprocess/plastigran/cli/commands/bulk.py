@@ -130,7 +130,7 @@ def how_to_continue(folder: Path) -> str:
 
 
 def has_no_new_step(run: BulkRun) -> bool:
-    """Return whether a continued run has no log line beyond those of the earlier run."""
+    """Return whether a continued run has no new log line."""
     import pandas as pd  # import here, because pandas is slow to load
 
     from plastigran.bulk.folder import BEFORE

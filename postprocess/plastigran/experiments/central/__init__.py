@@ -201,7 +201,7 @@ class CentralImpact(Experiment):
         """Return the law between the two bodies.
 
         Args:
-            others: Further constants of the law, and options that replace those of the case.
+            others: Further constants of the law, and options that replace options of the case.
         """
         given = {} if self.surface_energy is None else {"surface_energy": self.surface_energy}
         options = law_options(self.law, self.options)

@@ -247,9 +247,9 @@ def loop_panels(
     Args:
         loops: For each impact, its case by columns of the results table, and its table with columns
             overlap [m] and force [N].
-        panel_by: Column of the cases whose values have separate panels, "law" or "speed".
+        panel_by: Column "law" or "speed" of the cases; each of its values gets its own panel.
         curve_by: Column that names the curves of a panel, "speed" or "law".
-        apart: Further columns whose values have separate panels; see `varied`.
+        apart: Further columns whose values get separate panels; see `varied`.
         common_axes: Whether all panels have the same units.
 
     Returns:

@@ -56,8 +56,8 @@ def compare(
 ) -> dict[str, object]:
     """Return columns of the results table: measured values and two predictions.
 
-    The columns `*_predicted` are the prediction `predicted`. The columns `*_rigid` are the motion
-    of rigid bodies that slide throughout the impact.
+    The columns `*_predicted` contain `predicted`. The columns `*_rigid` contain the motion of rigid
+    bodies that slide throughout the impact.
     """
     after, after_predicted, after_rigid = measured.after, predicted.after, impact.rigid_sliding()
     collision, collision_predicted = measured.collision, predicted.collision

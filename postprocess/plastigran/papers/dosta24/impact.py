@@ -126,7 +126,7 @@ def _measured(run: BulkRun, time: float | None) -> float:
 
 
 def _published(table: pd.DataFrame, time: float | None) -> float:
-    """Return the same for a published trajectory with columns time [s] and displacement [m]."""
+    """Return the same as `_measured` for a published trajectory: columns time, displacement."""
     if time is None:
         return float(table["displacement"].min())
     return float(np.interp(time, table["time"], table["displacement"]))

@@ -16,8 +16,8 @@ from plastigran.experiments.record import STUDY, TABLE
 DEPTH = 4
 #: Names of subfolders that are parts of a run and are therefore not searched.
 _PARTS_OF_RUNS = {"runs", "frames", "figures", "deck"}
-#: Categories of results in the order of the page. The page lets the reader hide laws in the first
-#: categories.
+#: Categories of results in the order of the page. The reader of a page can hide laws in results of
+#: the categories "sweep" and "tables".
 ORDER = ("sweep", "tables", "nothing", "bulk")
 #: Suffixes of the files in a folder of category "tables".
 _SUFFIXES = {".csv", ".png", ".svg", ".gif", ".in"}

@@ -41,7 +41,7 @@ def plate_figure(shot: pd.DataFrame) -> Figure:
 
 
 def bed_figure(shot: pd.DataFrame, by_depth: pd.DataFrame, diameter: float) -> Figure:
-    """Draw rebound speed / impact speed, with the curve of the law on a plate, and work by depth.
+    """Draw rebound / impact speed with the law's curve on a plate, and plastic work by depth.
 
     Args:
         shot: Columns impact_speed, rebound_speed, rebound_predicted [m/s], one row per shot.
