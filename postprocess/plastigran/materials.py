@@ -94,7 +94,7 @@ class Material:
         self.body()
 
     def variables(self, suffix: str = "") -> dict[str, float]:
-        """Return the constants as deck variables.
+        """Return the constants as deck variables, in SI units.
 
         Without suffix, these are all constants that are set. With a suffix, for example for a wall,
         they are the constants of `BODY_CONSTANTS`, and the suffix is added to each name.

@@ -106,7 +106,7 @@ class Hardness:
 
     @property
     def scatter(self) -> float:
-        """Relative 95 % half-width of the flow stress.
+        """Relative 95 % half-width of the flow stress [-].
 
         This value combines the scatters of reading, conversion and constraint factor.
         """

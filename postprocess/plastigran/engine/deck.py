@@ -182,7 +182,7 @@ def read_deck(deck: str | Path, values: Mapping[str, object], folder: Path) -> D
         folder: Folder of the results, the value of the deck variable `output`.
 
     Raises:
-        EngineError: A file is missing.
+        EngineError: A file is missing, or the deck includes too many files.
         ValueError: A value is given for a setting that the deck does not have.
     """
     path = find_deck(deck)

@@ -27,6 +27,10 @@ def impact_modes(
 
     Returns:
         Rows and columns of `sphere_modes`.
+
+    Raises:
+        ValueError: A constant is out of range.
+        ArithmeticError: Two spheroidal modes are too close to separate.
     """
     by_degree, overtones = [], 1
     for degree in count():

@@ -56,6 +56,7 @@ def sphere_modes(
 
     Raises:
         ValueError: A constant is out of range.
+        ArithmeticError: Two spheroidal modes are too close to separate.
     """
     for name, value in {
         "youngs_modulus": youngs_modulus,
@@ -121,7 +122,7 @@ def radial(poissons_ratio: float, y: float) -> float:
 
 
 def toroidal_roots(degree: int, count: int) -> np.ndarray:
-    """Return the wave numbers k a of the first toroidal modes, (count,).
+    """Return the wave numbers k a of the first toroidal modes (count,) [-].
 
     x j_n'/j_n decreases from n at x = 0, and from +inf to -inf between zeros of j_n. This quotient
     therefore equals 1 once before each zero. For n = 1, the first root is x = 0, the rotation of
@@ -133,7 +134,7 @@ def toroidal_roots(degree: int, count: int) -> np.ndarray:
 
 
 def radial_roots(poissons_ratio: float, count: int) -> np.ndarray:
-    """Return the wave numbers h a of the first radial modes, (count,).
+    """Return the wave numbers h a of the first radial modes (count,) [-].
 
     y j_0/j_1 decreases from 3 at y = 0, and from +inf to -inf between zeros of j_1. This quotient
     therefore equals 4 (c_t/c_l)^2 < 3 once before each zero.
@@ -178,13 +179,16 @@ def spheroidal(degree: int, poissons_ratio: float, x: float) -> float:
 
 
 def spheroidal_roots(degree: int, poissons_ratio: float, count: int) -> np.ndarray:
-    """Return the wave numbers k a of the first spheroidal modes of a degree from 1, (count,).
+    """Return the wave numbers k a of the first spheroidal modes of a degree from 1 (count,) [-].
 
     The two eigenvalues of the dynamic stiffness of the surface (traction/displacement) decrease
     with x from pole to pole. A mode is a zero of one eigenvalue. The number of modes below x is the
     number of negative eigenvalues plus the number of poles (Wittrick & Williams 1971, Q. J. Mech.
     Appl. Math. 24:263). An interval with several modes is bisected until the determinant changes
     its sign in a separate interval for each mode.
+
+    Raises:
+        ArithmeticError: Two modes are too close to separate.
     """
 
     def look(x: float) -> tuple[float, int, float, float]:

@@ -47,6 +47,6 @@ def table() -> pd.DataFrame:
 
 
 def contact_kinds(rows: pd.DataFrame) -> np.ndarray:
-    """Return one of `KINDS` for each row of the table of spheres."""
+    """Return one of `KINDS` for each of the n rows of the table of spheres, (n,)."""
     plastic = np.where(rows["hardening_ratio"] > 0, KINDS[1], KINDS[0])
     return np.where(rows["contact_radius_over_radius"] >= WIDE, KINDS[2], plastic)
