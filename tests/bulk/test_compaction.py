@@ -115,7 +115,7 @@ def test_loop_of_a_triangle():
     loop = measure_loop(density, [0.0, 0.0, 100.0, 0.0, 0.0])
     assert (loop.touch, loop.peak, loop.released) == pytest.approx((0.502, 0.7, 0.601))
     assert np.isnan(measure_loop(density[:3], [0.0, 0.0, 100.0]).released)
-    with pytest.raises(ValueError, match="the punch touches no grain"):
+    with pytest.raises(ValueError, match="the punch does not touch"):
         measure_loop(density, np.zeros(5))
 
 

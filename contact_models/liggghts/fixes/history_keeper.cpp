@@ -153,7 +153,7 @@ void HistoryKeeper::restore_lost_histories() {
     } else if (any_history(stored)) {
       warn_on_first_rank(stored.owner + ": contacts start without history, because " +
                          (stored.models == line.models
-                              ? "the wall moved: `" + stored.models + '`'
+                              ? "the position of the wall changed"
                               : "the models of these contacts changed from `" + stored.models +
                                     "` to `" + line.models +
                                     "`. Repeat the earlier line to keep the " + "histories"));

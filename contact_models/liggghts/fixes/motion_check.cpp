@@ -86,12 +86,11 @@ void MotionCheck::pre_exchange() {
       const bool below = domain->boundary[axis][0] == 1 && atom->x[i][axis] < domain->boxlo[axis];
       const bool above = domain->boundary[axis][1] == 1 && atom->x[i][axis] > domain->boxhi[axis];
       if (below || above)
-        stop_for(
-            i,
-            std::string("leaves the box at its ") + (below ? "lower " : "upper ") + "xyz"[axis] +
-                " side",
-            "Close the walls (facing triangles without gaps), reduce the time step, enlarge the "
-            "box, or allow it: thermo_modify lost ignore");
+        stop_for(i,
+                 std::string("leaves the box at its ") + (below ? "lower " : "upper ") +
+                     "xyz"[axis] + " side",
+                 "Close the walls (mesh triangles without gaps), reduce the time step, enlarge the "
+                 "box, or allow it: thermo_modify lost ignore");
     }
 }
 

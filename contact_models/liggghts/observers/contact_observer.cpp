@@ -50,8 +50,8 @@ void ContactObserver::fail(const std::string& reason) const { stop(lmp, name() +
 
 std::string uncountable(LAMMPS_NS::LAMMPS* engine) {
   if (engine->force->newton_pair)
-    return "`newton on` is not supported, because contacts across borders of ranks are then "
-           "computed on one side only. Use `newton off`";
+    return "`newton on` is not supported, because contacts between particles of two MPI "
+           "ranks are then computed on one rank only. Use `newton off`";
   for (const std::string style : {"multisphere", "rigid"})
     if (engine->modify->n_fixes_style(style.c_str()) > 0)
       return "fix " + style + " is not supported, because contacts are counted for particles and " +

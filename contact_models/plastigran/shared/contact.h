@@ -101,7 +101,10 @@ struct Option {
 // loading took.
 template <class Parameters>
 constexpr Option<Parameters> energy_guard_option(int Parameters::*value) {
-  return {"energy_guard", value, {"off", "on", nullptr}, "plastic work never decreases"};
+  return {"energy_guard",
+          value,
+          {"off", "on", nullptr},
+          "shorten the unloading curve so that plastic work never decreases"};
 }
 
 // One constant of a law: its name for users, and its range.

@@ -128,7 +128,7 @@ def ledger_checks(series: pd.DataFrame, limit: float = LEDGER) -> list[Check]:
             LEDGER_CHECKS[1],
             (plastic.cummax() - plastic).max() / total,
             1e-12,
-            "plastic work never decreases, to round-off of its sum over ranks",
+            "plastic work never decreases, except by round-off of its sum over ranks",
         ),
     ]
 

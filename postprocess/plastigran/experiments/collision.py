@@ -80,7 +80,7 @@ def force_overlap_loop(trajectory: pd.DataFrame) -> pd.DataFrame:
         reach = (first["radius"] + second["radius"]).to_numpy()
         approach = first[vel].to_numpy() - second[vel].to_numpy()
     else:
-        raise CollisionError(f"{len(bodies)} spheres; a collision is between two bodies")
+        raise CollisionError(f"the trajectory has {len(bodies)} spheres; it must have one or two")
     along = np.einsum("ij,ij->i", normal, first[frc].to_numpy())
     return pd.DataFrame(
         {

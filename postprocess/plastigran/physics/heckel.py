@@ -73,7 +73,7 @@ def measure_loop(density: ArrayLike, pressure: ArrayLike) -> Loop:
     top = int(np.argmax(pressure))
     if not pressure[top] > 0:
         raise ValueError(
-            f"the highest pressure is {pressure[top]:g} Pa; the punch touches no grain"
+            f"the highest pressure is {pressure[top]:g} Pa, so the punch does not touch the grains"
         )
     level = TOUCH * pressure[top]
     loading = int(np.argmax(pressure > level))

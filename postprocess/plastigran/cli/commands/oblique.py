@@ -66,7 +66,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         "--figure",
         type=Path,
         metavar="FILE.png",
-        help="file for a figure of the outcomes against the angle",
+        help="file for a figure of the outcomes versus the angle",
     )
     add_json(command)
 

@@ -7,7 +7,7 @@ import argparse
 
 from plastigran.cli.reports import add_evidence_arguments, run_evidence
 
-HELP = "compare every law with finite elements, papers and experiments, without fits"
+HELP = "compare every law with finite elements, papers and experiments"
 EXAMPLE = "plastigran validate --coarse"
 
 

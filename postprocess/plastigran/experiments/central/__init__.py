@@ -72,7 +72,7 @@ class CentralImpact(Experiment):
     material: Material = material_field("material of the spheres")
     radius: float = radius_field("radius of the spheres")
     geometry: str = word("geometry of the impact", tuple(GEOMETRIES), default="sphere_wall")
-    wall: Material | None = material_field("material of the plane, or rigid", None, "_other")
+    wall: Material | None = material_field("material of the plane, default rigid", None, "_other")
     options: str | None = options_field()
     surface_energy: float | None = surface_energy_field(
         "work of adhesion of the two bodies; switches on 'adhesion jkr' in laws whose elastic "
@@ -90,7 +90,7 @@ class CentralImpact(Experiment):
     )
 
     command = "impact"
-    help = "run impacts with LIGGGHTS or LAMMPS, with table and figures"
+    help = "run central impacts of spheres in LIGGGHTS or LAMMPS, with a table and figures"
     example = (
         "plastigran impact --law universal thornton --material steel --radius 0.005\n"
         "plastigran impact --law all --theory\n"

@@ -91,7 +91,7 @@ class BenchmarkImpact(Experiment):
         "modulus of the second sphere / modulus of the first", "-", 0, default=None
     )
     law: str = law_field(DEFAULT_LAW)
-    steps_per_contact: int = whole("time steps in an undamped contact", 1, default=DEFAULT_STEPS)
+    steps_per_contact: int = whole("time steps per undamped contact", 1, default=DEFAULT_STEPS)
     tangential: str = word("tangential model", TANGENTIAL_MODELS, default="history")
 
     command = "chung-ooi"

@@ -42,7 +42,10 @@ class CylinderImpact(CentralImpact):
     body_thickness: float = number("thickness of the body that yields", "m", 0, default=1e-4)
 
     command = "cylinder"
-    help = "draw maps of impacts by the laws for cylinders, and compare one impact with a paper"
+    help = (
+        "compute impacts of a cylinder on a plane: maps over radius and speed, and one impact "
+        "compared with Katta & Polycarpou (2010)"
+    )
     example = "plastigran cylinder --points 10"
     shape = "cylinder"
     has_theory = False  # the study always compares LIGGGHTS with theory

@@ -69,7 +69,10 @@ class RodImpact(Experiment):
     )
 
     command = "rod"
-    help = "run oblique impacts of the rod of a paper, with table and figures"
+    help = (
+        "run the oblique impacts of a rod of Ghaednia, Cermik & Marghitu (2015), with a table and "
+        "figures"
+    )
     example = "plastigran rod --law thornton jackson_green"
     deck = "collision/rod.in"
     flags: ClassVar = {

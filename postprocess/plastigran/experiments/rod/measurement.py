@@ -34,7 +34,9 @@ def measure_rod(
         trajectory = read_dump(trajectory)
     parts = {number: part.reset_index(drop=True) for number, part in trajectory.groupby("id")}
     if set(parts) != {TIP, CENTRE, FAR_END}:
-        raise CollisionError(f"{len(parts)} spheres; the rod of rod.in has three")
+        raise CollisionError(
+            f"the trajectory has {len(parts)} spheres; the rod of rod.in has three"
+        )
     tip, centre = parts[TIP], parts[CENTRE]
     force = tip["fy"] + tip["mass"] * gravitational_acceleration
     loop = pd.DataFrame(

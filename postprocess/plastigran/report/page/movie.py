@@ -84,7 +84,7 @@ def pack_movie(folder: Path, clock: Clock) -> tuple[GrainMovie | None, list[str]
         raise SnapshotError("no frame contains grains")
     frames = [_thin(frame, stride) for frame in frames]
     parts = [f"{len(frames)} of {len(files)} frames"] if len(selected) < len(files) else []
-    parts += [f"one of {stride} grains"] if stride > 1 else []
+    parts += [f"one in {stride} grains"] if stride > 1 else []
     excerpt = f" The page contains {' and '.join(parts)}." if parts else ""
     colours = {
         name: words
