@@ -48,7 +48,9 @@ class Declaration:
     def allowed(self) -> str:
         """Return the allowed range in words, such as "must be positive and finite [m]"."""
         if self.choices:
-            return f"must be {', '.join(self.choices)}"
+            return f"must be one of {', '.join(self.choices)}"
+        if self.value_type is int and self.lower_allowed and self.upper == inf:
+            return f"must be {self.lower:g} or more"
         if self.lower_allowed and self.upper_allowed and self.upper < inf:
             return f"must lie from {self.lower:g} to {self.upper:g} [{self.unit}]"
         least = f"{self.lower:g} or more" if self.lower_allowed else f"above {self.lower:g}"

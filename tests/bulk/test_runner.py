@@ -166,7 +166,7 @@ def test_record_nested_too_deeply_is_refused(tmp_path, capsys):
     ("line", "message"),
     [
         (["cooling_gass"], "no deck 'cooling_gass'. Available decks: "),
-        (["cooling_gas", "-v", "siide=3"], "has no setting 'siide'; the deck takes law"),
+        (["cooling_gas", "-v", "siide=3"], "has no setting 'siide'; the deck has law"),
         (["cooling_gas", "--restart", "/nowhere"], "contains no run.json"),
         (["cooling_gas", "-v", "ledger=ON"], "ledger is 'ON', possible values are off, on"),
         (["bed_impact", "-v", "target=Plate"], "target is 'Plate', possible values are bed, plate"),

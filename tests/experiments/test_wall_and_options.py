@@ -68,7 +68,7 @@ def test_an_option_reaches_law_and_engine(tmp_path):
     ("changes", "complaint"),
     [
         ({"options": "yielding"}, "options is 'yielding'; it must be made of pairs NAME CHOICE"),
-        ({"options": "yielding soft"}, "yielding is soft; it must be sphere, flat"),
+        ({"options": "yielding soft"}, "yielding is soft; it must be one of sphere, flat"),
         ({"options": "unloading area"}, "no option 'unloading'. Available options: yielding"),
         (
             {"law": "hertz", "options": "yielding flat"},
@@ -116,7 +116,7 @@ def test_options_go_to_the_laws_that_have_them():
     assert runs.table["options"].tolist() == [*several, "default"]
     with pytest.raises(ValueError, match="thornton has no option 'yielding'"):
         CentralImpact.theory(law=["thornton", "hertz"], speed=0.1, options="yielding flat")
-    with pytest.raises(ValueError, match="yielding is soft; it must be sphere, flat"):
+    with pytest.raises(ValueError, match="yielding is soft; it must be one of sphere, flat"):
         CentralImpact.theory(law=names, speed=0.1, options="yielding soft")
 
 

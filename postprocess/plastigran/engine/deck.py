@@ -227,6 +227,6 @@ def read_deck(deck: str | Path, values: Mapping[str, object], folder: Path) -> D
     references -= defined
     if unknown := sorted(set(overrides) - set(settings) - references - {"inputs", "output"}):
         none = "has none. A setting is a line `variable NAME index VALUE`"
-        possible = f"takes {' '.join(settings)}" if settings else none
+        possible = f"has {', '.join(settings)}" if settings else none
         raise ValueError(f"{path.name} has no setting {unknown[0]!r}; the deck {possible}")
     return DeckSource(path, files, settings, frozenset(references))

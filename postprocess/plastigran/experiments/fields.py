@@ -96,7 +96,7 @@ def law_options(law: str, text: str | None) -> dict[str, str]:
                 f"{law} has no option {name!r}. Available options: {', '.join(choices) or 'none'}"
             )
         if choice not in choices[name]:
-            raise ValueError(f"{name} is {choice}; it must be {', '.join(choices[name])}")
+            raise ValueError(f"{name} is {choice}; it must be one of {', '.join(choices[name])}")
     return chosen
 
 

@@ -65,7 +65,7 @@ def test_impossible_values_are_refused_by_name(case, field):
         ({"options": "viscous"}, "options is 'viscous'; it must be made of pairs"),
         ({"law": "viscoelastic_hertz"}, "needs dissipative_constant, which"),
         ({"material": "cheese"}, "includes .*cheese.in, which does not exist"),
-        ({"colour": "red"}, "has no setting 'colour'; the deck takes "),
+        ({"colour": "red"}, "has no setting 'colour'; the deck has "),
     ],
 )
 def test_impossible_runs_are_refused(case, change, message, tmp_path):
