@@ -437,7 +437,7 @@ def test_tables_and_materials_are_shown(tmp_path):
     made = section(tmp_path)
     material, table = made.tables
     assert material.title == "Material mine: From a hardness of 200 HV."
-    assert ["youngs modulus", "2.1 × 10¹¹", "Pa"] in material.rows
+    assert ["Young's modulus", "2.1 × 10¹¹", "Pa"] in material.rows
     assert (table.head, table.rows) == (["law", "rms"], [["universal", "0.5"]])
     assert table.laws == ["universal"]
     assert "empty.csv cannot be read" in made.missing[0]

@@ -101,7 +101,7 @@ def _progress(path: Path, log: str) -> str:
     share = (at.step - at.first) / max(at.last - at.first, 1)
     return (
         f"The run has not finished: {path.name} ends at step {at.step} of {at.last}, {share:.0%} "
-        f"of the deck's run number {at.run}. Figures and checks are made at the end of a run. Use "
+        f"of run {at.run} of the deck. Figures and checks are made at the end of a run. Use "
         "plastigran bulk with --restart to continue it from its newest checkpoint."
     )
 

@@ -56,7 +56,7 @@ def measured_chart(table: pd.DataFrame, materials: Mapping[str, Material]) -> Ch
         views={words(name).capitalize(): [panel] for name, panel in panels.items()},
         description=f"{', '.join(map(words, quantities))} versus {words(abscissa)}, one curve per "
         "law",
-        caption="Points are results of LIGGGHTS with a law; lines are the law alone. If points lie "
+        caption="Points are impacts in LIGGGHTS; lines are the theory of the law. If points lie "
         "on their line, the run is verified. The accuracy of the law itself is shown below."
         f"{_dash_legend(table, abscissa)}",
         menu="Quantity",

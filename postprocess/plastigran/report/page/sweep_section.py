@@ -17,7 +17,7 @@ from plastigran.experiments.central.remarks import dented
 from plastigran.experiments.record import STUDY, TABLE, read_study, read_table
 from plastigran.experiments.tables import HEADS
 from plastigran.materials import NO_WALL, USUAL, Material
-from plastigran.plot.quantities import words
+from plastigran.plot.quantities import PREDICTED, QUANTITIES, words
 from plastigran.plot.style import title
 from plastigran.report.page.charts import Chart
 from plastigran.report.page.collect import Results
@@ -66,7 +66,7 @@ def make(results: Results) -> Section:
     verdict = impacts + (" by theory" if study.get("by_theory") else "")
     tables = _constants(materials)
     if len(table):
-        heads = {name: HEADS.get(name, words(name)).replace("\n", ", ") for name in table}
+        heads = {name: _head(name) for name in table}
         tables.append(cells(table, f"The {impacts} in numbers", heads))
     return Section(
         results=results,
@@ -106,6 +106,16 @@ def _materials(study: dict) -> tuple[dict[str, Material], list[str]]:
         except (TypeError, ValueError) as error:
             damaged.append(f"{STUDY} has incomplete data for material {name}: {error}.")
     return materials, damaged
+
+
+def _head(column: str) -> str:
+    """Return the header of a column of the results table: name and unit."""
+    measured = column.removesuffix(PREDICTED)
+    name, unit = QUANTITIES.get(measured, (words(measured), ""))
+    head = HEADS.get(column, HEADS.get(measured, f"{name}\n{unit}"))
+    name, _, unit = head.partition("\n")
+    parts = f"{name} {unit}" if ", " in unit else ", ".join(filter(None, (name, unit)))
+    return f"{parts}, theory" if column != measured and column not in HEADS else parts
 
 
 def _constants(materials: Mapping[str, Material]) -> list[Table]:

@@ -10,6 +10,7 @@ import pandas as pd
 from plastigran.calibration.expected_errors import errors_table
 from plastigran.declared import declarations
 from plastigran.materials import Material, read_material
+from plastigran.plot.quantities import words
 from plastigran.report.page.collect import Results
 from plastigran.report.page.pictures import read_pictures
 from plastigran.report.page.sections import Section, Table, cells, number
@@ -63,7 +64,7 @@ def _material_table(file: Path) -> Table:
     material = read_material(file)
     units = {name: declaration.unit for name, declaration in declarations(Material).items()}
     rows = [
-        [name.replace("_", " "), number(value), units[name].replace("-", "")]
+        [words(name), number(value), units[name].replace("-", "")]
         for name, value in material.variables().items()
     ]
     remark = file.read_text(errors="replace").partition("\n")[0].removeprefix("#").strip()
