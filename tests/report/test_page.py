@@ -93,7 +93,7 @@ def test_bulk_run_shows_facts_settings_and_checks(hopper):
     assert made.facts["radius"] == "0.005 m"
     assert "3.8.0" in made.facts["engine"]
     names = {check["name"] for check in made.checks}
-    assert "plastic work lost, divided by the energy input" in names
+    assert "decrease of plastic work, divided by the energy input" in names
     assert all(check["reason"] for check in made.checks)
     assert [chart.name for chart in made.charts] == ["ledger", "series"]
     assert made.movie.frames >= 3
@@ -142,7 +142,7 @@ def test_failed_check_fails_the_section(copied):
     assert made.verdict == f"1 of {len(made.checks)} checks failed{warned}"
     assert made.state == "failed"
     failed = [check["name"] for check in made.checks if not check["passed"]]
-    assert failed == ["grains neither in the hopper nor counted out"]
+    assert failed == ["grains neither in the hopper nor counted as discharged"]
 
 
 @pytest.mark.parametrize(("count", "words"), [(1, "1 warning"), (2, "2 warnings")])

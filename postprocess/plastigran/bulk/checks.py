@@ -23,7 +23,7 @@ EXCESS = 10.0
 #: Names of the two checks that `ledger_checks` returns.
 LEDGER_CHECKS = (
     "balance error, divided by the energy input",
-    "plastic work lost, divided by the energy input",
+    "decrease of plastic work, divided by the energy input",
 )
 #: Time between log lines, in units of sqrt(d/g), for which decks state the error of trapezoidal
 #: integration. A grain of diameter d falls by d/2 from rest in the time sqrt(d/g).

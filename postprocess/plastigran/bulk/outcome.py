@@ -93,7 +93,7 @@ class BulkRun:
         """
         if failed := self.analysis.failed:
             values = "; ".join(f"{c.name} {c.value:.3g}, at most {c.limit:.3g}" for c in failed)
-            raise CheckError(f"{values} (in {self.folder})")
+            raise CheckError(f"failed checks: {values} (in {self.folder})")
         return self
 
 

@@ -85,7 +85,7 @@ class Hopper(GranularDeck):
         missing = series["held"] + series["counted"] - self.derived("grains")
         checks = [
             Check(
-                "grains neither in the hopper nor counted out",
+                "grains neither in the hopper nor counted as discharged",
                 missing.abs().max(),
                 0,
                 "grains can leave the mesh only through the orifice",

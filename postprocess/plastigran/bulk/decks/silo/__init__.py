@@ -133,7 +133,7 @@ class Silo(GranularDeck):
         missing = series["held"] + series["counted"] - self.grain_count
         checks = [
             Check(
-                "grains neither in the silo nor counted out",
+                "grains neither in the silo nor counted as discharged",
                 missing.abs().max(),
                 0,
                 "grains can leave the silo only through the orifice",
