@@ -77,7 +77,7 @@ void TimeStepCheck::print_ratios() {
   ratio(rayleigh_, "the Rayleigh time");
   ratio(hertz_, "the shortest Hertz contact time at the current speeds");
   ratio(impact_.step, "the recommended time step");
-  ratio(stiffest_.step, "the recommended one for the stiffest contact");
+  ratio(stiffest_.step, "the recommended time step for the stiffest contact");
   std::string line = text.str();
   if (line.back() == ':') return;  // print nothing if there are no particles yet
   line.back() = '\n';

@@ -27,7 +27,8 @@ inline std::string range_warning(const std::string& range, double contacts, doub
 inline std::string range_forecast(const std::string& range, double speed, const std::string& unit) {
   std::ostringstream text;
   text << "impacts at the current speeds (up to " << speed << ' ' << unit
-       << ") will exceed the validity range of the law (" << range << ')';
+       << ") will exceed the validity range of the law (" << range
+       << "). Use a law with a larger range, or lower the load";
   return text.str();
 }
 
