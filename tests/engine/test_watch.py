@@ -146,7 +146,9 @@ def test_contacts_at_the_start_of_a_run_count(tmp_path):
     law = laws.Thornton(laws.combine(BODY, BODY))
     loading = law.respond(RADIUS, overlap, law.State())
     speed = sqrt(2 * (loading.elastic_energy + loading.plastic_work) / MASS)
-    share = float(re.search(r" (\S+) of the recommended time step for the stiffest contact\n", text)[1])
+    share = float(
+        re.search(r" (\S+) of the recommended time step for the stiffest contact\n", text)[1]
+    )
     assert share == pytest.approx(step / law.recommended_timestep(RADIUS, MASS, speed), rel=0.06)
 
 

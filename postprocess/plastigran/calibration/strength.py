@@ -144,7 +144,11 @@ def from_leeb(leeb: float | str, law: str, metal: Material, scatter: float | Non
         body = {"radius": tester.ball_radius, "mass_eff": tester.mass}
         return Contact(law, sample, tester.ball, **body, **dented_flat(law))
 
-    rate = f" at 1/s (C = {metal.rate_coefficient:g})" if metal.rate_coefficient else ""
+    rate = (
+        f" at a strain rate of 1/s (C = {metal.rate_coefficient:g})"
+        if metal.rate_coefficient
+        else ""
+    )
     source = f"{reading:g} HL{tester.name}, by the law {law}{rate}"
     measured = [tester.restitution(reading)]
     strength = _fit(contact, [tester.speed], measured, metal, scatter, source)

@@ -110,8 +110,8 @@ class CalibratedAdhesion:
             "surface energy": f"{self.surface_energy:.4g} J/m2",
             "from": self.source,
             "law": numbers["law"],
-            "sensitivity": f"1 % in the measured value is {self.sensitivity:.2f} % in the surface "
-            "energy",
+            "sensitivity": "a change of 1 % in the measured value changes the surface energy by "
+            f"{self.sensitivity:.2f} %",
             "pull-off force": f"{self.pull_off_force:.4g} N{after}",
             "pull-off distance": f"{numbers['pull_off_distance']:.3g} m",
             "sticking speed": f"{self.sticking_speed:.4g} m/s, closing speed of the two bodies",

@@ -86,7 +86,7 @@ def sticking_speed(
         return law.central_impact(radius_eff, mass_eff, speed).coefficient_of_restitution == 0
 
     if sticks(fastest):
-        raise ValueError(f"the bodies stick at {fastest:g} m/s, the fastest speed of the search")
+        raise ValueError(f"the bodies stick even at {fastest:g} m/s, the highest speed tried")
     if not sticks(slowest):
         return 0.0
     while fastest > slowest * (1 + 1e-12):
