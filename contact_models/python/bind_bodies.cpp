@@ -145,7 +145,7 @@ always allowed), and meaning.)");
   bind_fields(pair, pair_fields);
 
   module.def("combine", &combine, "a"_a, "b"_a,
-             R"(Combine the constants of two bodies to a pair; the order does not matter.
+             R"(Combine the constants of two bodies into a pair; the order does not matter.
 
 Args:
     a: One body.

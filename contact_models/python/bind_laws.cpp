@@ -275,7 +275,7 @@ Returns:
 
 Raises:
     ValueError: A value is out of range (the message names it, its index and the range), or the
-        shapes do not fit together.)");
+        shapes cannot be broadcast.)");
 }
 
 }  // namespace plastigran
