@@ -70,7 +70,7 @@ def test_interrupt_stops_every_rank_and_keeps_the_files(start, ranks, sent, tmp_
     run.send_signal(sent)
     _, message = run.communicate(timeout=60)
     assert run.returncode == 130
-    assert f"stopped; continue from its newest checkpoint with --restart {tmp_path}" in message
+    assert f"stopped; to continue from the newest checkpoint, use --restart {tmp_path}" in message
     assert not engines(tmp_path / "run")
     assert newest_checkpoint(tmp_path / "run").stat().st_size > 0
     assert read_series(tmp_path / "run")["atoms"].eq(125).all()
@@ -83,7 +83,7 @@ def test_run_continues_after_a_kill_of_liggghts(start, tmp_path):
     _, message = run.communicate(timeout=60)
     assert run.returncode == 1 and "cooling_gas.in" in message
     assert "LIGGGHTS was stopped by the signal SIGKILL" in message
-    assert f"continue from its newest checkpoint with --restart {tmp_path}" in message
+    assert f"to continue from the newest checkpoint, use --restart {tmp_path}" in message
     assert not engines(tmp_path / "run")
     before = read_series(tmp_path / "run")
     checkpoint = newest_checkpoint(tmp_path / "run")

@@ -191,7 +191,7 @@ def read_derived(folder: str | Path, name: str) -> float:
         return all_derived(folder)[name]
     except KeyError:
         raise ValueError(
-            f"{folder}: the log has no line `derived {name} = VALUE`. Add it to the deck"
+            f"{folder}: the log has no line `derived {name} = VALUE`. Let the deck print it"
         ) from None
 
 

@@ -126,7 +126,7 @@ def how_to_continue(folder: Path) -> str:
         newest_checkpoint(folder)
     except EngineError:
         return f"{folder} has no checkpoint to continue from"
-    return f"continue from its newest checkpoint with --restart {folder}"
+    return f"to continue from the newest checkpoint, use --restart {folder}"
 
 
 def has_no_new_step(run: BulkRun) -> bool:
