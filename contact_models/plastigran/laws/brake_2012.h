@@ -40,8 +40,8 @@ struct Brake2012Curve {
     return Brake2012Curve(pair, constants).alpha > 1;
   }
   static constexpr const char* admissibility =
-      "{indentation_pressure} must be more than two thirds of the weaker body's contact yield "
-      "pressure";
+      "{indentation_pressure} must be more than two thirds of the yield pressure of the weaker "
+      "body";
 
   double yield_radius_ratio;
   double alpha;

@@ -43,8 +43,7 @@ struct Brake2015Curve {
     return Brake2015Curve(pair, constants).plastic > 1;
   }
   static constexpr const char* admissibility =
-      "{indentation_pressure} must be more than a third of the weaker body's contact yield "
-      "pressure";
+      "{indentation_pressure} must be more than a third of the yield pressure of the weaker body";
 
   std::array<double, 2> breaks;  // yield, and the end of the transition
   double yield_radius_ratio;

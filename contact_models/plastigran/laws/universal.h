@@ -45,7 +45,7 @@ struct UniversalCurve {
        &Parameters::yielding,
        {"sphere", "flat", nullptr},
        "shape of the yielding body: a sphere that flattens, or a flat; for a flat, the fit for "
-       "small a/R holds at any a/R"},
+       "small a/R is used at any a/R"},
   }};
 
   static bool admissible(const MaterialPair& pair, const Parameters&) {

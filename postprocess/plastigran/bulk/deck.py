@@ -260,7 +260,7 @@ class GranularDeck(BulkDeck):
         "coefficient of rolling friction", "-", 0, lower_allowed=True
     )
     coefficient_of_restitution: float = number(
-        "restitution for the dashpot of viscous_damping, and of LIGGGHTS' own hertz",
+        "restitution for the dashpots of viscous_damping and of LIGGGHTS' own hertz",
         "-",
         0.05,
         1,

@@ -30,5 +30,5 @@ def versions(host: str = "liggghts") -> dict[str, str]:
 
 def _identity(program: Path, plugin: Path) -> str:
     if not plugin.exists():
-        return f"none beside {program}"
+        return f"none next to {program}"
     return f"{plugin.name} sha256 {hashlib.sha256(plugin.read_bytes()).hexdigest()}"
