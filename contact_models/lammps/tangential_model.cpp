@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <type_traits>
 
 #include "lammps/normal_model.h"
 #include "plastigran/friction/incremental.h"
@@ -17,14 +16,6 @@ namespace {
 
 Vector3 vector(const double* values) { return {values[0], values[1], values[2]}; }
 
-// Whether a value of a state is a scalar: the fourth value, and the edge of each ring. All other
-// values are components of vectors.
-template <class Law>
-bool is_number(std::size_t k) {
-  constexpr bool has_rings = std::is_same_v<Law, PartialSlip<>>;
-  return k == 3 || (has_rings && k > 3 && k % 4 == 0);
-}
-
 template <class Law>
 class TangentialModelOf : public TangentialModel {
   typedef typename Law::State State;
@@ -32,7 +23,8 @@ class TangentialModelOf : public TangentialModel {
  public:
   TangentialModelOf(GranularModel* model, LAMMPS_NS::LAMMPS* lammps, const NormalModel& normal,
                     const TangentialLine& line, ContactTally& tally)
-      : TangentialModel(model, lammps, normal, Law::state_size(line.rings), is_number<Law>, tally),
+      : TangentialModel(model, lammps, normal, Law::state_size(line.rings), Law::changes_sign,
+                        tally),
         law_(line.friction, line.rings) {}
 
   void calculate_forces() override {
@@ -67,7 +59,7 @@ class TangentialModelOf : public TangentialModel {
 
 TangentialModel::TangentialModel(GranularModel* model, LAMMPS_NS::LAMMPS* lammps,
                                  const NormalModel& normal, std::size_t values,
-                                 bool (*is_number)(std::size_t), ContactTally& tally)
+                                 bool (*changes_sign)(std::size_t), ContactTally& tally)
     : GranSubModTangential(model, lammps), normal_(normal), tally_(tally) {
   const auto& placeholder = *model->tangential_model;
   name = placeholder.name;
@@ -77,10 +69,10 @@ TangentialModel::TangentialModel(GranularModel* model, LAMMPS_NS::LAMMPS* lammps
   contact_radius_flag = 1;
   size_history = static_cast<int>(values);
   history_index = placeholder.history_index;
-  // When LAMMPS stores a pair for the other particle, vectors change sign; scalars do not.
+  // LAMMPS multiplies the values by these factors when it stores a pair for the other particle.
   nondefault_history_transfer = 1;
   transfer_history_factor = new double[values];
-  for (std::size_t k = 0; k < values; ++k) transfer_history_factor[k] = is_number(k) ? 1 : -1;
+  for (std::size_t k = 0; k < values; ++k) transfer_history_factor[k] = changes_sign(k) ? -1 : 1;
 }
 
 TangentialModel::~TangentialModel() {

@@ -24,7 +24,7 @@ class TangentialModel : public LAMMPS_NS::Granular_NS::GranSubModTangential {
 
  protected:
   TangentialModel(LAMMPS_NS::Granular_NS::GranularModel* model, LAMMPS_NS::LAMMPS* lammps,
-                  const NormalModel& normal, std::size_t values, bool (*is_number)(std::size_t),
+                  const NormalModel& normal, std::size_t values, bool (*changes_sign)(std::size_t),
                   ContactTally& tally);
 
   const NormalModel& normal_;

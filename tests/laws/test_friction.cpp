@@ -295,6 +295,33 @@ TEST_CASE_TEMPLATE("spin about the normal turns the force", Law, Incremental, Pa
   CHECK(answer.force.y == doctest::Approx(start.force.x * std::sin(1.0)).epsilon(1e-12));
 }
 
+TEST_CASE_TEMPLATE("an exchange of the two bodies reverses the force", Law, Incremental,
+                   PartialSlip<8>) {
+  const Law law(friction, 4);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  typename Law::State state, exchanged;
+  Vector3 normal{0, 0, 1};
+  const auto opposite = [](const Vector3& a) { return -1.0 * a; };
+  for (int step = 0; step < 1000; ++step) {
+    const Vector3 turned = normal + 0.02 * Vector3{unit(random), unit(random), unit(random)};
+    normal = 1 / length(turned) * turned;
+    const double force = 1 + 0.5 * unit(random), spin = 0.02 * unit(random);
+    const NormalLoad load{force, 5 * std::cbrt(force)};
+    const Vector3 shift = 0.02 * Vector3{unit(random), unit(random), unit(random)};
+    const auto one = law.respond(load, {shift, normal, spin, 0}, state);
+    const auto other = law.respond(load, {opposite(shift), opposite(normal), -spin, 0}, exchanged);
+    CHECK(length(one.force + other.force) < 1e-12);
+    CHECK(other.stored_energy == doctest::Approx(one.stored_energy).epsilon(1e-12));
+    // The next step continues from the state of the other contact, as a host stores it.
+    double values[sizeof state / sizeof(double)];
+    std::memcpy(values, &state, sizeof state);
+    for (std::size_t k = 0; k < Law::state_size(4); ++k)
+      if (Law::changes_sign(k)) values[k] = -values[k];
+    std::memcpy(static_cast<void*>(&exchanged), values, sizeof state);
+  }
+}
+
 TEST_CASE_TEMPLATE("the stiffness of a fresh contact is Mindlin's", Law, Incremental,
                    PartialSlip<8>) {
   const Law law(friction, 4);

@@ -10,9 +10,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "atom.h"
 #include "contact_models.h"
@@ -26,17 +28,18 @@
 
 namespace plastigran {
 
-// Add a number or a vector of the state to the contact history, and return its offset. When
-// LIGGGHTS stores a pair from the side of the other particle, it changes the sign of values with
-// the flag "1".
-inline int add_number(LIGGGHTS::IContactHistorySetup& setup, const std::string& name) {
-  return setup.add_history_value(name, "0");
-}
-inline int add_vector(LIGGGHTS::IContactHistorySetup& setup, const std::string& name) {
-  const int offset = setup.add_history_value(name + 'x', "1");
-  setup.add_history_value(name + 'y', "1");
-  setup.add_history_value(name + 'z', "1");
-  return offset;
+// Registers values of a law's state in the contact history, from index k of the state on, and
+// returns the offset of the first value. When LIGGGHTS stores a pair from the side of the other
+// particle, it changes the sign of values with the flag "1".
+template <class Law>
+int add_values(LIGGGHTS::IContactHistorySetup& setup, std::size_t k,
+               const std::vector<std::string>& names) {
+  int first = -1;
+  for (const std::string& name : names) {
+    const int offset = setup.add_history_value(name, Law::changes_sign(k++) ? "1" : "0");
+    if (first < 0) first = offset;
+  }
+  return first;
 }
 
 // State values of a law in the contact history.
@@ -49,22 +52,24 @@ struct TangentialHistory<Incremental> {
   static constexpr bool has_rings = false;
   // Returns the offset of the first value.
   static int add(LIGGGHTS::IContactHistorySetup& setup) {
-    const int offset = add_vector(setup, "stick_normal");
-    add_number(setup, "stick_stiffness");
-    add_vector(setup, "stick_force");
-    return offset;
+    return add_values<Incremental>(
+        setup, 0,
+        {"stick_normalx", "stick_normaly", "stick_normalz", "stick_stiffness", "stick_forcex",
+         "stick_forcey", "stick_forcez"});
   }
 };
 
 template <>
 struct TangentialHistory<PartialSlip<4>> {
+  typedef PartialSlip<4> Law;
   static constexpr int values = 19;
   static constexpr bool has_rings = true;
   // Returns the offset of the first value.
   static int add(LIGGGHTS::IContactHistorySetup& setup) {
-    const int offset = add_vector(setup, "stick_normal");
-    add_vector(setup, "stick_axis");
-    add_number(setup, "ring_compliance");
+    const int offset =
+        add_values<Law>(setup, 0,
+                        {"stick_normalx", "stick_normaly", "stick_normalz", "stick_axisx",
+                         "stick_axisy", "stick_axisz", "ring_compliance"});
     add_rings(setup, 1, default_rings);
     return offset;
   }
@@ -74,13 +79,10 @@ struct TangentialHistory<PartialSlip<4>> {
     int offset = -1;
     for (int k = first; k <= last; ++k) {
       const std::string ring = std::to_string(k);
-      const int edge = add_number(setup, "ring_edge" + ring);
+      const int edge =
+          add_values<Law>(setup, Law::state_size(k - 1),
+                          {"ring_edge" + ring, "ring_sharex" + ring, "ring_sharey" + ring});
       if (k == first) offset = edge;
-      // Seen from the other particle, the force of a ring is opposite. The normal and the x axis of
-      // the contact are opposite, too, so the y axis, normal cross x, is the same. Therefore the x
-      // component of the force does not change, and the y component changes its sign.
-      add_number(setup, "ring_sharex" + ring);
-      setup.add_history_value("ring_sharey" + ring, "1");
     }
     return offset;
   }

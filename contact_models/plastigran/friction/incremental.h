@@ -32,6 +32,8 @@ class Incremental {
     double stiffness = 0;  // 8 G* a of the last step
     Vector3 force;
   };
+  // Returns whether value k of the state changes its sign if the two bodies are exchanged.
+  static constexpr bool changes_sign(std::size_t k) { return k != 3; }
   PLASTIGRAN_DEVICE static std::size_t state_size(int) { return sizeof(State) / sizeof(double); }
 
   explicit Incremental(double coefficient_of_friction = 0, int = 0)
