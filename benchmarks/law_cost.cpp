@@ -140,7 +140,7 @@ void measure(const std::vector<std::string>& chosen, int repeats) {
   const MaterialPair pair = combine(body, body);
   double overlap_y = yield_radius_ratio(pair) * yield_radius_ratio(pair);
   // The formula above is for spheres. Cylinders yield at larger overlaps.
-  if constexpr (std::string_view(shape<Law>) == std::string_view("cylinder")) overlap_y *= 20;
+  if constexpr (std::string_view(shape<Law>) == std::string_view("cylinder")) overlap_y *= 9;
   const Bed bed = make_bed(overlap_y);
   const double before = seconds();
   const Law law(pair, constants);

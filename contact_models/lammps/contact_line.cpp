@@ -71,8 +71,8 @@ Complaint read_tangential(std::vector<std::string>& models, TangentialLine& line
   if (name == PartialSlip<>::name && end != models.end() && *end == "rings") {
     const std::string rings = ++end != models.end() ? *end++ : "";
     double number = 0;
-    if (!to_number(rings, number) || number != static_cast<int>(number) || number < 2 ||
-        number > PartialSlip<>::most_rings)
+    if (!to_number(rings, number) || number != static_cast<int>(number) ||
+        number < PartialSlip<>::least_rings || number > PartialSlip<>::most_rings)
       return Complaint("{rings} is `" + rings + "`; it must be a whole number, 2 to " +
                        std::to_string(PartialSlip<>::most_rings));
     line.rings = static_cast<int>(number);

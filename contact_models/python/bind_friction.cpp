@@ -94,18 +94,21 @@ void bind_tangential(nb::module_& module, nb::dict& all, const char* class_name,
   const auto construct = [](Self* self, double friction, int number) {
     if (!(friction >= 0 && friction <= 10))
       raise_if(Complaint::about("coefficient_of_friction", friction, "between 0 and 10 [-]"));
-    if (!(number >= 1 && number <= PartialSlip<>::most_rings))
-      raise_if(Complaint::about("rings", number, "between 1 and 8"));
+    if (!(number >= PartialSlip<>::least_rings && number <= PartialSlip<>::most_rings))
+      raise_if(Complaint::about("rings", number, "between 2 and 8"));
     new (self) Self{friction, number};
   };
   if constexpr (rings) {
     law.def("__init__", construct, "coefficient_of_friction"_a,
             "rings"_a = PartialSlip<>::default_rings,
-            "Create the law with a coefficient of friction [-] and a number of rings, at most 8.");
+            "Create the law with a coefficient of friction [-] and a number of rings, 2 to 8.");
     law.def_ro("rings", &Self::rings, "Number of rings.");
   } else {
     law.def(
-        "__init__", [construct](Self* self, double friction) { construct(self, friction, 1); },
+        "__init__",
+        [construct](Self* self, double friction) {
+          construct(self, friction, PartialSlip<>::default_rings);
+        },
         "coefficient_of_friction"_a, "Create the law with a coefficient of friction [-].");
   }
   law.def_ro("coefficient_of_friction", &Self::coefficient_of_friction,

@@ -44,7 +44,7 @@ class Contact:
             density, have an infinite mass.
         friction: Coefficient of friction [-].
         tangential: Name of the tangential law, for `oblique_impact`.
-        rings: Number of rings of `partial_slip`, at most 8.
+        rings: Number of rings of `partial_slip`, 2 to 8.
         constants: Constants and options of the law. You can omit constants that the material of a
             defines (the material of b if a is rigid). If `surface_energy` is given, a law that is
             elastic before yield includes JKR adhesion, as with `adhesion jkr` in a deck.

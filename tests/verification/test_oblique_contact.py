@@ -96,7 +96,7 @@ def test_histories_are_advanced_copied_and_pickled():
 def test_bad_values_are_refused():
     with pytest.raises(ValueError, match="tangential is 'history'; it must be one of: partial"):
         contact(tangential="history")
-    with pytest.raises(ValueError, match="rings is 9; it must be between 1 and 8"):
+    with pytest.raises(ValueError, match="rings is 9; it must be between 2 and 8"):
         contact(rings=9)
     with pytest.raises(ValueError, match="coefficient_of_friction is -1"):
         laws.Incremental(-1)
