@@ -229,14 +229,9 @@ class Adhesive {
             shape_at_x};
   }
 
-  // Returns the pull-off force. It is exact if the force without adhesion unloads as y^(3/2). Other
-  // shapes use the same w at pull-off; their pull-off force is up to 8 % too small.
   PLASTIGRAN_DEVICE double pull_off_force(const Peak& peak) const {
     const double b = peak.pull * peak.inverse_recovery;
-    if constexpr (Rebound::is_hertzian) return 0.375 * peak.slope * peak.pull * b;
-    const Point at = point_at(peak, cube_root(0.75 * b));
-    const double root = at.root_of_slope;
-    return peak.slope * peak.pull * (root * root * root) - peak.force * at.force;
+    return peak.slope * peak.pull * work_.rebound().pull_off(b, peak.shape);
   }
 
   // Point of the unloading curve at w, where y = w^4 = (overlap_1 - overlap_res)/(overlap_max -

@@ -40,7 +40,8 @@ struct Peak {
 //
 // The classes below also define contact_radius_at(), the contact radius divided by its value at the
 // largest overlap, and energy_at(), the elastic energy divided by F_max (overlap_max -
-// overlap_res).
+// overlap_res). pull_off() is the pull-off force divided by S D, with the slope S and the adhesive
+// displacement D at the largest overlap (adhesive.h); b is D/(overlap_max - overlap_res).
 struct ShapeOfUnloading {
   double force, root_of_slope, exponent;
 };
@@ -68,6 +69,9 @@ struct AnyExponent {
   PowerTables tables;
   PLASTIGRAN_DEVICE double share(double y, double root, double exponent) const {
     return y < 1 && exponent != 1.5 ? y * root * tables.power(y, exponent - 1.5) : y * root;
+  }
+  PLASTIGRAN_DEVICE double power(double base, double exponent) const {
+    return base > 0 ? tables.power(base, exponent) : 0;
   }
 };
 
@@ -115,6 +119,14 @@ class PowerOfOverlap : public HertzBelowYield {
     const double root = w * w, y = root * root;
     return power_.share(y, root, exponent) * y / (exponent + 1);
   }
+  PLASTIGRAN_DEVICE double pull_off(double b, double exponent) const {
+    if constexpr (is_hertzian) {
+      return 0.375 * b;
+    } else {
+      const double part = 1.5 * (exponent - 1);
+      return (1 - part / exponent) * power_.power(part * b, 2 * part / (3 - exponent));
+    }
+  }
 
  private:
   std::conditional_t<has_shape, AnyExponent, ThreeHalves> power_;
@@ -160,6 +172,14 @@ class SteepeningUnloading : public HertzBelowYield {
   PLASTIGRAN_DEVICE double energy_at(double w, double steepness) const {
     const double root = w * w, square = root * root;
     return steepness * square * square * root * work((steepness - 1) * root);
+  }
+  // The unloading is Hertzian near the residual overlap, with a slope that is `steeper` times
+  // larger than that of a Hertz contact with the same S. The last factor is the decrease of the
+  // pull-off force because the slope grows less at larger y; its error is at most 0.4 %.
+  PLASTIGRAN_DEVICE static double pull_off(double b, double steepness) {
+    const double steeper = 3 * steepness * steepness / (2 * steepness + 1);
+    const double root = cube_root(0.5625 * b * b * steeper);  // y^(1/2) at pull-off
+    return 0.375 * b * (steeper * steeper) / (1 + 3 * (steepness - 1) * root);
   }
 
  private:
