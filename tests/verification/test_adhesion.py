@@ -311,7 +311,7 @@ def test_the_pull_off_force_is_the_largest_attraction_during_unloading(name):
     smaller by at most 1e-5.
     """
     law = laws.ADHESIVE_LAWS[name](PAIR, surface_energy=GAMMA)
-    for largest in np.array([0.005, 0.01, 0.02]) * RADIUS:
+    for largest in np.array([0.02, 0.04, 0.08]) * RADIUS:
         state = touching(law)
         law.respond(RADIUS, largest, state)
         force = law.pull_off_force(RADIUS, largest, state)
