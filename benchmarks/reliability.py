@@ -123,7 +123,7 @@ def ranks(folder: Path, _: int) -> Iterator[Row]:
         late = f"{one['collisions'].iloc[-1]:.0f} collisions per grain"
         yield Row(
             f"{count} ranks compared with one, after {late}: difference of the kinetic energy, "
-            "divided by the standard deviation between two gases",
+            "divided by its expected standard deviation between two random gases",
             (ratio / (2**0.5 * one["temperature_error"])).iloc[-1],
             4,
         )

@@ -159,7 +159,7 @@ void bind_laws(nb::module_& module) {
                   "Response"),
           R"(Return the response of one contact or of an array of contacts, without rate effect.
 
-For the yield strength at the strain rate of an impact, use the law of `at_impact`.
+For the yield strength at the strain rate of an impact, use the law that `at_impact` returns.
 
 Args:
     radius_eff: R* [m], positive. Numbers or arrays whose shapes broadcast together, as all below.
@@ -184,7 +184,7 @@ Raises:
               "None) -> dict[str, Numbers]"),
       R"(Return the responses along a path of overlaps, or along an array of paths, without rate effect.
 
-For the yield strength at the strain rate of an impact, use the law of `at_impact`.
+For the yield strength at the strain rate of an impact, use the law that `at_impact` returns.
 
 Args:
     radius_eff: R* [m], positive: a number, or an array (...) with one value per path.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Evidence fills the tables of its pages and writes their figures."""
+"""`validate` and `reproduce` fill the tables of the pages and write their figures."""
 
 from __future__ import annotations
 
@@ -57,8 +57,8 @@ def test_a_page_is_written_with_its_pictures(tmp_path):
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        (PAGE + PAGE.replace("one", "two"), "has a place for two, which is not a table of small"),
-        (PAGE + PAGE, "two places for one table"),
+        (PAGE + PAGE.replace("one", "two"), "markers for the table two, but small has no such"),
+        (PAGE + PAGE, "the markers of one table twice"),
         (None, "small.md is missing"),
     ],
 )

@@ -131,7 +131,7 @@ def test_yielding_wall_gives_a_warning(folder):
 
 
 def test_wall_does_not_split_a_curve_over_geometry():
-    """A collision of two spheres has no wall, and the geometry already states this."""
+    """The wall does not distinguish two curves: the geometry shows whether there is a wall."""
     geometries = ["sphere_wall", "two_spheres"]
     table = CentralImpact.theory(law=["thornton"], speed=0.1, geometry=geometries).table
     predicted = {f"{name}_predicted": table[name] for name in ("force_max", "overlap_max")}

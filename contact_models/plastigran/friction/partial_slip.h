@@ -33,7 +33,7 @@ class PartialSlip {
   static constexpr const char* source =
       "Jaeger 1993, Arch. Appl. Mech. 63:402; Aleshin, Bou Matar & Van Den Abeele 2015, Int. J. "
       "Solids Struct. 60:14";
-  static constexpr const char* range = "exact for elastic spheres with many rings";
+  static constexpr const char* range = "with many rings, exact for elastic spheres";
   static constexpr int least_rings = 2, most_rings = capacity, default_rings = 4;
 
   // The edge of a ring is stored as p = F^(1/3), where F is the normal force at the edge. Then

@@ -73,7 +73,7 @@ def restitution(runs: Runs) -> pd.DataFrame:
 
 
 def measured_run(runs: Runs) -> pd.DataFrame:
-    """Return the results of laws, and of the measured impulse, for the run with printed velocities.
+    """Return results of the laws and of the measured impulse for the run with printed velocities.
 
     The paper prints the velocities before and after the impact of one experiment.
     """

@@ -36,10 +36,11 @@ def read_pages(evidence: Evidence, folder: Path) -> dict[Path, str]:
     places = [place[1] for text in pages.values() for place in PLACE.findall(text)]
     if unknown := set(places) - set(evidence.tables):
         raise ValueError(
-            f"{paths} has a place for {min(unknown)}, which is not a table of {evidence.name}"
+            f"{paths} has markers for the table {min(unknown)}, but {evidence.name} has no such "
+            "table"
         )
     if len(places) != len(set(places)):
-        raise ValueError(f"{paths} has two places for one table")
+        raise ValueError(f"{paths} has the markers of one table twice")
     return pages
 
 

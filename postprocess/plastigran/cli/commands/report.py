@@ -22,7 +22,8 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         "--output",
         type=Path,
         metavar="FILE.html",
-        help="file for the page, default DIR/report.html, for several folders results/report.html",
+        help="file for the page; default: DIR/report.html, or results/report.html for several "
+        "folders",
     )
     command.add_argument(
         "--title", default="", help="title of the page, default the names of the folders"

@@ -23,7 +23,7 @@ def on_wall(wall: str) -> str:
 def run_label(
     geometry: str, material: str, law: str, wall: str = RIGID_WALL, options: str = USUAL
 ) -> str:
-    """Return the part after the number in the name of the folder of an impact."""
+    """Return the part of the name of an impact's folder that follows the number."""
     words = [geometry, material, law]
     words += [] if wall in WALLS else ["on", wall]
     words += [] if options == USUAL else options.split()
