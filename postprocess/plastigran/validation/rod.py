@@ -70,8 +70,10 @@ def summary(impacts: pd.DataFrame) -> pd.DataFrame:
         for angle in sorted(PAPER_RESTITUTION, reverse=True):
             row[f"restitution at {angle:g}° (%)"] = fmean(error[part["angle"] == angle])
         run = part[(part["angle"] == MEASURED.angle) & (part["speed"] == speed)].iloc[0]
-        row["printed velocities, restitution (%)"] = 100 * (run["restitution"] / rebound - 1)
+        row["velocities printed in the paper, restitution (%)"] = 100 * (
+            run["restitution"] / rebound - 1
+        )
         spin = run["angular_velocity"] / MEASURED.angular_velocity
-        row["printed velocities, angular velocity (%)"] = 100 * (spin - 1)
+        row["velocities printed in the paper, angular velocity (%)"] = 100 * (spin - 1)
         rows.append(row)
     return nearest_first(rows)
