@@ -8,7 +8,13 @@ from collections.abc import Iterable
 from itertools import chain
 
 from plastigran import laws
-from plastigran.materials import Material, has_constants, law_class
+from plastigran.materials import (
+    Material,
+    can_adhere,
+    has_constants,
+    has_surface_energy,
+    law_class,
+)
 
 
 def laws_for(shape: str, bodies: Iterable[Material] = ()) -> list[str]:
@@ -52,3 +58,29 @@ def choose_laws(names: Iterable[str], shape: str, bodies: Iterable[Material] = (
         )
     chosen = (usable if name == "all" else [name] for name in names)
     return list(dict.fromkeys(chain.from_iterable(chosen)))
+
+
+def warn_of_idle_surface_energy(names: Iterable[str], bodies: Iterable[Material]) -> None:
+    """Warn if a material has a surface energy that laws do not use.
+
+    Args:
+        names: Names of laws, without a given surface energy.
+        bodies: Materials.
+
+    Warns:
+        UserWarning: A surface energy has no effect; the message names the material and its value.
+    """
+    idle = list(dict.fromkeys(name for name in names if not has_surface_energy(name)))
+    for body in dict.fromkeys(bodies):
+        if idle and body.surface_energy:
+            value = f"{body.surface_energy:.6g}"
+            remedy = (
+                f"Give --surface-energy {value} to switch on adhesion in laws that support it"
+                if any(map(can_adhere, idle))
+                else "Use a law with adhesion (docs/adhesion.md)"
+            )
+            warnings.warn(
+                f"surface_energy of material {body.name} is {value} J/m2, but has no effect in "
+                f"{', '.join(idle)}. {remedy}",
+                stacklevel=2,
+            )

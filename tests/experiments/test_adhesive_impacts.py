@@ -61,17 +61,33 @@ def test_the_remark_has_the_sticking_speed_of_each_sphere(call, capsys):
     assert "thornton_ning_1998, Powder, 0.2 J/m2: bodies slower than" in printed
 
 
+@pytest.mark.filterwarnings("default:surface_energy of material")
 def test_surface_energy_of_the_material(call, tmp_path, capsys):
-    """--surface-energy replaces the value of the material; `mdr` ignores both."""
+    """--surface-energy replaces the value of the material; `mdr` ignores both. A warning names laws
+    that ignore the value of the material.
+    """
     (tmp_path / "powder.in").write_text(POWDER + "variable surface_energy index 0.1\n")
-    found = []
+    found, said = [], []
     for option in ([], ["--surface-energy", "0.1", "0.2"]):
         line = [*call, "--law", "jkr", "mdr", *option, "--speed", "1", "--theory", "--json"]
         assert main([*line, "--force"]) == 0
-        found += json.loads(capsys.readouterr().out)["table"]
+        printed = capsys.readouterr()
+        found += json.loads(printed.out)["table"]
+        said.append(printed.err)
+    idle = "surface_energy of material powder is 0.1 J/m2, but has no effect in"
+    assert f"{idle} mdr. Use a law with adhesion" in said[0]
+    assert "has no effect" not in said[1]
     assert [row["surface_energy"] for row in found] == [0.1, None, 0.1, 0.2, None]
     jkr = [row["coefficient_of_restitution"] for row in found if row["law"] == "jkr"]
     assert jkr[0] == jkr[1] > jkr[2]
+    assert main([*call, "--law", "jkr", "universal", "--speed", "1", "--dry-run"]) == 0
+    remedy = "universal. Give --surface-energy 0.1 to switch on adhesion in laws that support it\n"
+    assert f"{idle} {remedy}" in capsys.readouterr().err
+    body = ["--material", call[2], "--radius", str(RADIUS), "--speed", "1"]
+    assert main(["timestep", "--law", "universal", *body]) == 0
+    assert f"{idle} {remedy}" in capsys.readouterr().err
+    assert main(["oblique", *body, "--friction", "0.1", "--points", "1"]) == 0
+    assert "has no effect: oblique impacts are computed without" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(

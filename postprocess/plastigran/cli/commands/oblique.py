@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import argparse
+import warnings
 from pathlib import Path
 
 import numpy as np
@@ -103,6 +104,12 @@ def run(arguments: argparse.Namespace) -> None:
                     "friction_work": outcome.friction_work,
                 }
             )
+        )
+    if material.surface_energy:
+        warnings.warn(
+            f"surface_energy of material {material.name} is {material.surface_energy:.6g} J/m2, "
+            "but has no effect: oblique impacts are computed without adhesion",
+            stacklevel=2,
         )
     table = pd.concat(tables, ignore_index=True)
     if arguments.figure is not None:

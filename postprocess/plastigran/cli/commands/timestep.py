@@ -44,11 +44,15 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> None:
     material = materials.read_material(arguments.material)
     experiment = EXPERIMENTS[arguments.geometry]
-    case = arguments.speed, material, arguments.radius, arguments.geometry
-    steps = {
-        name: experiment(name, *case, wall=arguments.wall).timestep
-        for name in choose_laws(arguments.law, experiment.shape, [material])
-    }
+    impacts = experiment.plan(
+        law=choose_laws(arguments.law, experiment.shape, [material]),
+        speed=arguments.speed,
+        material=material,
+        radius=arguments.radius,
+        geometry=arguments.geometry,
+        wall=arguments.wall,
+    )
+    steps = {impact.law: impact.timestep for impact in impacts}
     if arguments.json:
         print_json([{"law": name, "timestep": step} for name, step in steps.items()])
     else:

@@ -47,6 +47,7 @@ from plastigran.materials import (
 )
 from plastigran.physics import central
 from plastigran.physics.rebound_hardness import dented_flat
+from plastigran.usable_laws import warn_of_idle_surface_energy
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -321,6 +322,9 @@ class CentralImpact(Experiment):
         Raises:
             ValueError: A case cannot be run, or no law has an option or a surface energy; the
                 message gives the reason.
+
+        Warns:
+            UserWarning: As for `warn_of_idle_surface_energy`.
         """
         values = {name: several(value) for name, value in values.items()}
         names, texts = values.get("law", ()), filter(None, values.get("options", ()))
@@ -337,7 +341,10 @@ class CentralImpact(Experiment):
                 case["options"] = None
             if not can_adhere(case["law"]):
                 case["surface_energy"] = None
-        return list(dict.fromkeys(cls(**case) for case in cases))
+        impacts = list(dict.fromkeys(cls(**case) for case in cases))
+        if not given:
+            warn_of_idle_surface_energy(names, (impact.material for impact in impacts))
+        return impacts
 
     @classmethod
     def summary(cls, runs: Runs) -> str:
