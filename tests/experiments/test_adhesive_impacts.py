@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from plastigran.cli import main
+from plastigran.experiments.central import CentralImpact
 from plastigran.physics.adhesion import jkr_sticking_speed
 
 POWDER = """
@@ -88,6 +89,15 @@ def test_surface_energy_of_the_material(call, tmp_path, capsys):
     assert f"{idle} {remedy}" in capsys.readouterr().err
     assert main(["oblique", *body, "--friction", "0.1", "--points", "1"]) == 0
     assert "has no effect: oblique impacts are computed without" in capsys.readouterr().err
+
+
+def test_timestep_is_the_step_that_the_plugin_recommends(tmp_path, capsys):
+    body = ["--surface-energy", "0.5", "--material", "steel", "--radius", "1e-5", "--speed", "0.5"]
+    assert main(["timestep", "--law", "universal", *body, "--json"]) == 0
+    (row,) = json.loads(capsys.readouterr().out)
+    case = CentralImpact("universal", 0.5, "steel", 1e-5, surface_energy=0.5)
+    case.run(tmp_path, timestep=0.99 * row["timestep"])
+    assert "0.99 of the recommended time step" in (tmp_path / "log.liggghts").read_text()
 
 
 @pytest.mark.parametrize(

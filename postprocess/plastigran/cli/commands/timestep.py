@@ -12,7 +12,11 @@ from plastigran.experiments.collide import IMPACTS
 from plastigran.usable_laws import choose_laws
 
 HELP = "print the recommended time step of an impact"
-EXAMPLE = "plastigran timestep --law universal --material steel --radius 0.005 --speed 0.5"
+EXAMPLE = (
+    "plastigran timestep --law universal --material steel --radius 0.005 --speed 0.5\n"
+    "plastigran timestep --law universal --surface-energy 0.5 --material steel --radius 1e-5 "
+    "--speed 0.5"
+)
 
 EXPERIMENTS = {
     geometry: experiment for experiment in IMPACTS.values() for geometry in experiment.geometries
@@ -38,6 +42,12 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
     )
     add_material(command, "aluminium_zv02")
     command.add_argument("--wall", help="material of the wall, default a rigid wall")
+    command.add_argument(
+        "--surface-energy",
+        type=float,
+        help="work of adhesion of the two bodies, J/m^2; switches on 'adhesion jkr' in laws whose "
+        "elastic contact is Hertz'. Default, for laws that need it: the value of the material",
+    )
     add_json(command)
 
 
@@ -51,6 +61,7 @@ def run(arguments: argparse.Namespace) -> None:
         radius=arguments.radius,
         geometry=arguments.geometry,
         wall=arguments.wall,
+        surface_energy=arguments.surface_energy,
     )
     steps = {impact.law: impact.timestep for impact in impacts}
     if arguments.json:
