@@ -91,6 +91,23 @@ def test_surface_energy_of_the_material(call, tmp_path, capsys):
     assert "has no effect: oblique impacts are computed without" in capsys.readouterr().err
 
 
+@pytest.mark.parametrize("mode", ["--theory", "--dry-run"])
+def test_a_rate_coefficient_is_refused_with_adhesion(call, mode, tmp_path, capsys):
+    """`jkr` does not yield, so it ignores the rate coefficient."""
+    (tmp_path / "powder.in").write_text(POWDER)
+    rated = tmp_path / "rated.in"
+    rated.write_text(POWDER + "variable rate_coefficient index 0.02\n")
+    message = "rate_coefficient of material rated is 0.02, but {} with adhesion does not support it"
+    line = ["--surface-energy", "0.1", "--speed", "1", mode]
+    for law in ("universal", "thornton_ning_1998"):
+        assert main([*call, "--law", law, "--wall", str(rated), *line]) == 1
+        assert message.format(law) in capsys.readouterr().err
+    call[2] = str(rated)
+    assert main([*call, "--law", "universal", *line]) == 1
+    assert message.format("universal") in capsys.readouterr().err
+    assert main([*call, "--law", "jkr", *line]) == 0
+
+
 def test_timestep_is_the_step_that_the_plugin_recommends(tmp_path, capsys):
     body = ["--surface-energy", "0.5", "--material", "steel", "--radius", "1e-5", "--speed", "0.5"]
     assert main(["timestep", "--law", "universal", *body, "--json"]) == 0
