@@ -59,7 +59,7 @@ def test_impossible_values_are_refused_by_name(case, field):
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        ({"law": "lim_stronge"}, "law is 'lim_stronge'; it must be brake_2012, "),
+        ({"law": "lim_stronge"}, "law is 'lim_stronge'; it must be one of brake_2012, "),
         ({"law": "hertz"}, "ledger is on, but LIGGGHTS' own hertz has no energy balance"),
         ({"rows": 20, "checkpoints": 3}, "checkpoints is 3; it must divide rows, 20"),
         ({"options": "viscous"}, "options is 'viscous'; it must be made of pairs"),
