@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import json
 import pickle
 
 import numpy as np
@@ -117,3 +118,9 @@ def test_command(tmp_path, capsys):
     assert table.count("partial_slip") == 3
     assert table.count("incremental") == 3
     assert figure.exists()
+    assert main([*words, "--law", "thornton", "--json"]) == 0
+    rows = json.loads(capsys.readouterr().out)
+    angles = np.array([row["angle"] for row in rows])
+    sphere = Contact("thornton", "steel", RIGID, radius=2.5e-3, friction=0.1)
+    normal = list(sphere.oblique_impact(1.0, angles[:3]).normal_restitution)
+    assert [row["normal_restitution"] for row in rows] == pytest.approx(2 * normal, rel=1e-3)

@@ -29,7 +29,22 @@ plastigran oblique --law hertz --material steel --radius 0.0025 --speed 1 --fric
 """
 
 
+COLUMNS = """
+columns of the table:
+  angle                   angle of the velocity from the normal before the impact
+  normalized_angle        tan(angle) 4 G*/(mu E*), with the effective shear modulus G*, the
+                          effective Young's modulus E* and the coefficient of friction mu
+  normal_restitution      normal speed after the impact / normal speed before the impact
+  tangential_restitution  tangential speed of the center of the sphere after the impact /
+                          the same speed before the impact
+  spin                    spin of the sphere after the impact; it does not spin before
+  rebound_angle           angle of the velocity from the normal after the impact
+  friction_work           energy dissipated by friction
+"""
+
+
 def add_arguments(command: argparse.ArgumentParser) -> None:
+    command.epilog = f"{COLUMNS.strip()}\n\n{command.epilog}"
     spheres = [name for name, law in laws.LAWS.items() if law.shape == "sphere"]
     command.add_argument(
         "--law", choices=spheres, default="hertz", help="normal law, default hertz"
@@ -44,7 +59,13 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
     add_material(command, "steel")
     command.add_argument("--wall", help="material of the plane, default a rigid plane")
     command.add_argument("--radius", type=positive, required=True, help="radius of the sphere, m")
-    command.add_argument("--speed", type=positive, required=True, help="impact speed, m/s")
+    command.add_argument(
+        "--speed",
+        type=positive,
+        required=True,
+        help="speed of the sphere before the impact, m/s, the same at all angles; its part along "
+        "the normal is SPEED cos(angle)",
+    )
     command.add_argument("--friction", type=positive, required=True, help="coefficient of friction")
     command.add_argument(
         "--rings",
@@ -98,6 +119,7 @@ def run(arguments: argparse.Namespace) -> None:
                     "normalized_angle": normalized_angle(
                         contact.pair, arguments.friction, np.radians(angles)
                     ),
+                    "normal_restitution": outcome.normal_restitution,
                     "tangential_restitution": outcome.tangential_restitution,
                     "spin": outcome.spin,
                     "rebound_angle": outcome.rebound_angle,
