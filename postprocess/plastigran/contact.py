@@ -187,6 +187,22 @@ class Contact:
         """
         return sqrt(2 * self._yield()[2] / self.mass_eff)
 
+    @property
+    def sticking_speed(self) -> float:
+        """Largest closing speed of a central impact at which the bodies stick [m/s].
+
+        The sticking speed is 0 for a law without adhesion, and if it is below 1e-6 m/s. For `jkr`,
+        it has a closed form, `plastigran.physics.adhesion.jkr_sticking_speed`.
+
+        Raises:
+            ValueError: The bodies stick even at 100 m/s, or no body has a mass.
+        """
+        from plastigran.physics.adhesion import sticking_speed  # scipy.optimize is slow to load
+
+        if not self.law.adhesive:
+            return 0.0
+        return float(sticking_speed(self.law, self.radius_eff, self.mass_eff))
+
     def _yield(self) -> tuple[float, float, float]:
         """Return force [N], overlap [m] and work [J] at yield."""
         if not self.law.yields:

@@ -13,7 +13,6 @@ from plastigran.calibration import calibrate_adhesion
 from plastigran.calibration.surface_energy import pull_off_after
 from plastigran.cli import main
 from plastigran.materials import Material
-from plastigran.physics.adhesion import sticking_speed
 
 POWDER = Material("powder", 1.2e9, 0.3, 1350.0, yield_strength=22e6)
 RADIUS = 2.45e-6
@@ -37,7 +36,7 @@ def bodies_in_contact(law, gamma, b, radius_other):
 def test_the_sticking_speed_of_a_law_gives_its_surface_energy(law, bodies, gamma):
     """The relative tolerance is 1e-9, because both searches end at 1e-12."""
     contact = bodies_in_contact(law, gamma, **bodies)
-    speed = sticking_speed(contact.law, contact.radius_eff, contact.mass_eff)
+    speed = contact.sticking_speed
     found = calibrate_adhesion(POWDER, radius=RADIUS, sticking_speed=speed, law=law, **bodies)
     assert found.surface_energy == pytest.approx(gamma, rel=1e-9, abs=0)
     assert found.sticking_speed == pytest.approx(speed, rel=1e-9, abs=0)

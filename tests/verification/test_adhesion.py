@@ -192,6 +192,19 @@ def test_restitution_follows_from_the_motion(name):
     assert computed == pytest.approx(expected, abs=2e-5)
 
 
+def test_sticking_speed_of_a_contact():
+    """The restitution of `jkr` vanishes below its closed-form sticking speed."""
+    bodies = {"radius": RADIUS, "mass_eff": MASS}
+    powder, silicon = laws.Body(1.2e9, 0.3, 35.3e6 / 1.6, 1.6), laws.Body(182e9, 0.3)
+    contact = Contact("jkr", powder, silicon, surface_energy=GAMMA, **bodies)
+    exact = adhesion.jkr_sticking_speed(GAMMA, RADIUS, MODULUS, MASS)
+    assert contact.sticking_speed == pytest.approx(exact, rel=1e-9)
+    assert Contact("universal", powder, silicon, **bodies).sticking_speed == 0
+    light = Contact("jkr", powder, silicon, surface_energy=GAMMA, radius=RADIUS, mass_eff=1e-25)
+    with pytest.raises(ValueError, match="the bodies stick even at 100 m/s"):
+        light.sticking_speed  # noqa: B018
+
+
 def test_ammonium_fluorescein_sticks_near_the_published_speed():
     """The published sticking speed is 1.6 m/s. The equations give 1.42 m/s, and 1.07 m/s with the
     energy guard."""

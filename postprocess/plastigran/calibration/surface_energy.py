@@ -29,7 +29,7 @@ from plastigran.materials import (
     law_class,
     read_material,
 )
-from plastigran.physics.adhesion import jkr_surface_energy, sticking_speed
+from plastigran.physics.adhesion import jkr_surface_energy
 
 #: Law that `calibrate_adhesion` uses by default.
 DEFAULT_LAW = "jkr"
@@ -259,7 +259,7 @@ def _root(reached: Callable[[float], bool], upper: float) -> float:
 
 def _sticking_speed(contact: Contact) -> float:
     try:
-        return float(sticking_speed(contact.law, contact.radius_eff, contact.mass_eff))
+        return contact.sticking_speed
     except ValueError:  # the sticking speed exceeds the largest speed of the search
         return inf
 
