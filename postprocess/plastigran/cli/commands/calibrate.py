@@ -88,7 +88,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         "--pull-off", type=positive, dest="pull_off_force", help="pull-off force of two bodies, N"
     )
     measured.add_argument(
-        "--sticking-speed", type=positive, help="largest impact speed at which bodies stick, m/s"
+        "--sticking-speed", type=positive, help="largest closing speed at which bodies stick, m/s"
     )
     command.add_argument(
         "--load",

@@ -59,9 +59,12 @@ def sticking(impacts: Iterable[CentralImpact]) -> list[str]:
     for impact in bodies:
         closing = sticking_speed(impact.contact_law(), impact.radius_eff, impact.mass_eff)
         where = ", ".join(filter(None, (title(impact.material.name), on_wall(impact.wall_name))))
+        speed = f"{closing:.4g} m/s"
+        if impact.bodies == 2:
+            speed += f" ({closing / 2:.4g} m/s for each sphere)"
         sentences.append(
-            f"{impact.law}, {where}, {impact.work_of_adhesion:g} J/m2: bodies slower than "
-            f"{closing / impact.bodies:.4g} m/s stick, so the coefficient of restitution is 0"
+            f"{impact.law}, {where}, {impact.work_of_adhesion:g} J/m2: the bodies stick below a "
+            f"closing speed of {speed}, so the coefficient of restitution is 0"
         )
     return sentences
 
