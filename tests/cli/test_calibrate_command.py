@@ -70,12 +70,15 @@ def test_drops_have_a_figure(capsys, tmp_path, drops):
 
 
 def test_materials_of_ball_and_plate(capsys, drops):
-    """The weaker body of ball and plate yields."""
+    """The weaker body of ball and plate yields. The yield speed belongs to these bodies."""
     found = {}
     for bodies in (["--plate", "metal"], ["--ball", "alumina"], ["--plate", "alumina"], []):
         line = [*STEEL, "--drop", str(drops), "--law", "thornton", *bodies, "--json"]
         assert main(line) == 0
-        found[" ".join(bodies)] = json.loads(capsys.readouterr().out)["yield_strength"]
+        numbers = json.loads(capsys.readouterr().out)
+        found[" ".join(bodies)] = numbers["yield_strength"]
+        slowest = numbers["speed_ratio"][0] * numbers["yield_speed"]
+        assert slowest == pytest.approx((2 * 9.81 * 0.05) ** 0.5, rel=1e-3)
     # v_Y^2 is proportional to sigma_Y^5/(E*^4 m). A pair with smaller E* needs less strength for
     # the same v/v_Y.
     assert found["--plate metal"] == pytest.approx(found[""] * 2**-0.8, rel=0.01)
@@ -83,6 +86,8 @@ def test_materials_of_ball_and_plate(capsys, drops):
     steel_modulus, alumina_modulus = 206e9 / 0.91, alumina.youngs_modulus / (1 - 0.22**2)
     softening = 1 / (1 + steel_modulus / alumina_modulus)
     assert found["--plate alumina"] == pytest.approx(found[""] * softening**0.8, rel=0.01)
+    assert main([*STEEL, "--drop", str(drops), "--law", "thornton", "--plate", "metal"]) == 0
+    assert "m/s for drops of the metal on the metal\n" in capsys.readouterr().out
     lighter = (alumina.density / 7850) ** 0.2
     assert found["--ball alumina"] == pytest.approx(found["--plate alumina"] * lighter, rel=0.01)
 

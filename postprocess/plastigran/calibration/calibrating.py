@@ -162,7 +162,7 @@ def calibrate(
         result.source,
         law,
         _expected_error(contact, result, speeds, plastic_modulus > 0, test),
-        contact.yield_speed,
+        (contact if test is None else result.contact).yield_speed,
         tuple(notes),
         test,
         pressed,
@@ -249,6 +249,7 @@ def _expected_error(
 ) -> ExpectedError:
     """Return the error of the law for the intended speeds, or the measured or usual speeds."""
     ratio = result.speed_ratio or USUAL_SPEEDS
+    another_pair = drops is not None and (drops.ball is not None or drops.plate != RIGID)
     if speeds is not None:
         intended = np.ravel(speeds).tolist()
         if not intended:
@@ -257,8 +258,11 @@ def _expected_error(
         ratio = min(intended) / contact.yield_speed, max(intended) / contact.yield_speed
     elif result.contact is not None:
         contact = result.contact
-        if drops is not None and (drops.ball is not None or drops.plate != RIGID):
+        if another_pair:
             return ExpectedError.of_another_pair(ratio)
     fastest = contact.impact(max(ratio[1], 1.0) * contact.yield_speed)
     widest = contact.law.follow(contact.radius_eff, [fastest.overlap_max])["contact_radius"][0]
-    return expected_error(contact.law.name, ratio, hardening, widest / contact.radius_eff)
+    error = expected_error(contact.law.name, ratio, hardening, widest / contact.radius_eff)
+    if another_pair:  # the yield speed of the result belongs to the bodies of the drop test
+        return attrs.evolve(error, regime=f"{error.regime}, sphere on a rigid plane")
+    return error

@@ -32,7 +32,8 @@ class CalibratedMetal:
         source: Source of the yield strength and of its interval.
         law: Name of the law to use.
         expected_error: Expected error of this law.
-        yield_speed: Yield speed of a sphere of the metal on a rigid plane [m/s].
+        yield_speed: Yield speed of the ball on the plate of the drop test, or of a sphere of the
+            metal on a rigid plane without drop test [m/s].
         notes: Remarks for the user, one sentence each.
         drops: Drop test, if the metal was calibrated from drops.
         pressed: Finite-element compression, if it was requested.
@@ -114,12 +115,15 @@ class CalibratedMetal:
 
     def __str__(self) -> str:
         """Return a summary as readable text."""
+        bodies = "a sphere on a rigid plane"
+        if self.drops is not None:
+            bodies = f"drops of {self.drops.ball_name} on {self.drops.plate_name}"
         lines = {
             "yield strength": f"{self.yield_strength:.4g} Pa, 95 % interval {self._interval()} Pa",
             "from": self.source,
             "law": self.law,
             "expected error": self.expected_error,
-            "yield speed": f"{self.yield_speed:.3g} m/s for a sphere on a rigid plane",
+            "yield speed": f"{self.yield_speed:.3g} m/s for {bodies}",
         } | {f"note {k}": note for k, note in enumerate(self.notes, start=1)}
         return "\n".join(f"{name:20s}{text}" for name, text in lines.items())
 
