@@ -45,6 +45,7 @@ def stock(folder: Path, preload: Path | None, **variables) -> subprocess.Complet
 def test_stock_liggghts_loads_the_plugin_by_preload(engine_law, tmp_path):
     done = stock(tmp_path, PLUGIN, law=engine_law)
     assert done.returncode == 0, done.stdout + done.stderr
+    assert not done.stderr, "the plugin gives warnings when it is loaded"
     run_deck(wall_deck(engine_law), VISCOSITY | {"law": engine_law}, tmp_path / "launcher")
     preloaded = measure(tmp_path / "trajectory.dump")
     launched = measure(tmp_path / "launcher" / "trajectory.dump")

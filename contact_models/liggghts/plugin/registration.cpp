@@ -6,8 +6,8 @@
 // first line with a law registers the styles of the observers.
 #include <algorithm>
 #include <iterator>
+#include <set>
 #include <string>
-#include <vector>
 
 #include "liggghts/heat/dissipation_heat.h"
 #include "liggghts/model/companions.h"
@@ -110,19 +110,19 @@ void add(const RegisteredLaw& law, const RegisteredCombination& models) {
   const int64_t hash = Utils::generate_gran_hashcode(law.id, models.tangential, models.cohesion,
                                                      models.rolling, models.surface);
   const RegisteredCombination* const combination = find(models);
-  std::vector<int64_t> variants{hash, hash | with_adhesion};
-  if (models.tangential == TANGENTIAL_PARTIAL_SLIP)
-    for (int rings = least_rings; rings <= most_rings; ++rings)
-      if (rings != default_rings)
-        for (const int64_t variant : {hash, hash | with_adhesion})
-          variants.push_back(variant | hash_of_rings(rings));
-  for (const int64_t variant : variants) {
+  // LIGGGHTS' table of styles has 32-bit keys, so several numbers of rings share one key. A key
+  // that is added twice would give a warning.
+  std::set<int> keys;
+  for (int rings = least_rings; rings <= most_rings; ++rings)
+    if (rings == default_rings || models.tangential == TANGENTIAL_PARTIAL_SLIP)
+      for (const int64_t variant : {hash, hash | with_adhesion})
+        keys.insert(static_cast<int>(variant | hash_of_rings(rings)));
+  for (const int key : keys) {
     PairStyles::Factory::instance().addStyle(
-        "gran", variant,
+        "gran", key,
         combination ? combination->pair : refuse<PairStyles::IGranularPairStyle, PairGran>);
     Walls::Factory::instance().addStyle(
-        "gran", variant,
-        combination ? combination->wall : refuse<Walls::IGranularWall, FixWallGran>);
+        "gran", key, combination ? combination->wall : refuse<Walls::IGranularWall, FixWallGran>);
   }
 }
 
