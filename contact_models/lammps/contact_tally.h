@@ -21,16 +21,18 @@ class ContactTally {
   void begin(LAMMPS_NS::LAMMPS* lammps);
   void end() { active_ = false; }
 
-  // Adds the energies of a contact. `plastic_work` and `adhesion_loss` are dissipated in this step
-  // [J].
+  // Returns whether the energies of the current contact enter the energy balance.
+  bool counts_energies() const { return active_ && balance_; }
+
+  // Adds the energies of a contact that enter the energy balance. `plastic_work` and
+  // `adhesion_loss` are dissipated in this step [J].
   void add(const LAMMPS_NS::Granular_NS::GranularModel& contact, const Response& response,
            double plastic_work, double adhesion_loss) {
-    if (!active_) return;
     const double share = is_shared(contact) ? 0.5 : 1;
     if (contact.delta > 0 || response.contact_radius > 0) contacts += share;
     elastic_energy += share * response.elastic_energy;
     surface_energy += share * response.surface_energy;
-    if (balance_ && (plastic_work != 0 || adhesion_loss != 0))
+    if (plastic_work != 0 || adhesion_loss != 0)
       add_dissipated(contact, plastic_work, adhesion_loss);
   }
 
@@ -45,7 +47,7 @@ class ContactTally {
 
   // Adds the energy of a tangential spring [J].
   void add_spring(const LAMMPS_NS::Granular_NS::GranularModel& contact, double energy) {
-    if (active_) spring_energy += (is_shared(contact) ? 0.5 : 1) * energy;
+    if (counts_energies()) spring_energy += (is_shared(contact) ? 0.5 : 1) * energy;
   }
 
   // Sums over the contacts of this rank: number, and energies [J].

@@ -31,8 +31,7 @@ NormalModel::NormalModel(GranularModel* model, LAMMPS_NS::LAMMPS* lammps, Laws l
   cohesive_flag = one.attracts;
   beyond_contact = one.stretches;
   state_at_ = one.stretches ? 1 : 0;
-  work_at_ = state_at_ + one.state_size;
-  factor_at_ = work_at_ + 1;
+  factor_at_ = state_at_ + one.state_size;
   has_rate_ =
       std::any_of(laws_.begin(), laws_.end(), [](const auto& law) { return law->has_rate(); });
   size_history = static_cast<int>(factor_at_ + (has_rate_ ? 1 : 0));
@@ -101,22 +100,25 @@ double NormalModel::calculate_contact_radius() {
   }
   const double range = factor == 1 ? contact_law.range : contact_law.range_at(factor);
   const bool is_deep = gm->history_update && account_ && gm->delta > range * gm->Reff;
-  if (contact_law.stretches || is_deep) std::copy_n(state, contact_law.state_size, before);
-  const Response response = contact_law.respond(gm->Reff, gm->delta, -gm->vnnr, factor, state);
-  double plastic_work = 0, adhesion_loss = 0;
-  if (gm->history_update) {
-    plastic_work = response.plastic_work - values[work_at_];
-    if (contact_law.stretches) adhesion_loss = contact_law.lost_at_ends(gm->Reff, before, state);
-    values[work_at_] = response.plastic_work;
-    if (has_rate_) values[factor_at_] = factor;
+  const bool counts = tally_.counts_energies();
+  if (counts || is_deep) std::copy_n(state, contact_law.state_size, before);
+  const Response response = counts
+                                ? contact_law.respond(gm->Reff, gm->delta, -gm->vnnr, factor, state)
+                                : contact_law.forces(gm->Reff, gm->delta, -gm->vnnr, factor, state);
+  if (gm->history_update && has_rate_) values[factor_at_] = factor;
+  if (counts) {
+    double plastic_work = 0, adhesion_loss = 0;
+    if (gm->history_update && !std::equal(before, before + contact_law.state_size, state)) {
+      plastic_work = response.plastic_work - contact_law.plastic_work(gm->Reff, factor, before);
+      if (contact_law.stretches) adhesion_loss = contact_law.lost_at_ends(gm->Reff, before, state);
+    }
+    tally_.add(*gm, response, plastic_work, adhesion_loss);
   }
-  tally_.add(*gm, response, plastic_work, adhesion_loss);
   if (is_deep) tally_.add_deep(*gm, contact_law, *account_, factor, before, state);
   force_ = response.force;
   viscous_force_ = response.viscous_force;
-  pull_off_force_ = contact_law.attracts && response.contact_radius > 0
-                        ? contact_law.pull_off_force(gm->Reff, gm->delta, state, response)
-                        : 0;
+  pull_off_force_ =
+      contact_law.attracts && response.contact_radius > 0 ? response.pull_off_force : 0;
   // LAMMPS may still list a broken contact, so clear its history here. Do so only when the bodies
   // do not overlap, because flattened bodies can separate at a positive overlap and touch again.
   if (gm->history_update && contact_law.stretches && gm->delta <= 0 &&

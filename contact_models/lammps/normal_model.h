@@ -61,7 +61,7 @@ class NormalModel : public LAMMPS_NS::Granular_NS::GranSubModNormal {
   Laws laws_;
   ContactTally& tally_;
   RangeAccount* account_ = nullptr;
-  std::size_t state_at_, work_at_, factor_at_;  // offsets in the history values of this model
+  std::size_t state_at_, factor_at_;  // offsets in the history values of this model
   bool has_rate_;
   double force_ = 0, viscous_force_ = 0, pull_off_force_ = 0;
 };

@@ -28,10 +28,13 @@ class RuntimeLaw {
   static constexpr std::size_t capacity = 8;  // largest number of values of a state
 
   virtual ~RuntimeLaw() = default;
+  // Returns the response with its pull-off force, and changes the state.
   virtual Response respond(double radius_eff, double overlap, double overlap_rate, double factor,
                            double* state) const = 0;
-  virtual double pull_off_force(double radius_eff, double overlap, const double* state,
-                                const Response& response) const = 0;
+  // Returns the same response without energies, which takes less time.
+  virtual Response forces(double radius_eff, double overlap, double overlap_rate, double factor,
+                          double* state) const = 0;
+  virtual double plastic_work(double radius_eff, double factor, const double* state) const = 0;
   virtual double pull_off_distance(double radius_eff) const = 0;
   // Returns the energy lost if the contact formed or broke in the step from `before` to `now` [J].
   virtual double lost_at_ends(double radius_eff, const double* before, const double* now) const = 0;
@@ -82,18 +85,24 @@ class RuntimeLawOf : public RuntimeLaw {
 
   Response respond(double radius_eff, double overlap, double overlap_rate, double factor,
                    double* state) const override {
-    LawState own = read(state);
-    const Response response =
-        factor == 1 ? plastigran::respond(pair_.law, radius_eff, overlap, own, overlap_rate)
-                    : pair_.at_factor(factor, [&](const auto& law, double) {
-                        return plastigran::respond(law, radius_eff, overlap, own, overlap_rate);
-                      });
-    std::memcpy(state, static_cast<const void*>(&own), bytes);
-    return response;
+    return response(radius_eff, overlap, overlap_rate, factor, state);
   }
-  double pull_off_force(double radius_eff, double overlap, const double* state,
-                        const Response& response) const override {
-    return plastigran::pull_off_force(pair_.law, radius_eff, overlap, read(state), response);
+  // The attribute `flatten` inlines the law, so that the compiler can remove its energies.
+  [[gnu::flatten]] Response forces(double radius_eff, double overlap, double overlap_rate,
+                                   double factor, double* state) const override {
+    const Response all = response(radius_eff, overlap, overlap_rate, factor, state);
+    Response needed;
+    needed.force = all.force;
+    needed.viscous_force = all.viscous_force;
+    needed.contact_radius = all.contact_radius;
+    needed.pull_off_force = all.pull_off_force;
+    return needed;
+  }
+  double plastic_work(double radius_eff, double factor, const double* state) const override {
+    LawState own = read(state);
+    return pair_.at_factor(factor, [&](const auto& law, double) {
+      return plastigran::plastic_work_of(law, radius_eff, own);
+    });
   }
   double pull_off_distance(double radius_eff) const override {
     return plastigran::pull_off_distance(pair_.law, radius_eff);
@@ -141,6 +150,23 @@ class RuntimeLawOf : public RuntimeLaw {
   }
 
  private:
+  Response response(double radius_eff, double overlap, double overlap_rate, double factor,
+                    double* state) const {
+    LawState own = read(state);
+    Response response = factor == 1
+                            ? plastigran::respond(pair_.law, radius_eff, overlap, own, overlap_rate)
+                            : at_factor(radius_eff, overlap, overlap_rate, factor, own);
+    response.pull_off_force =
+        plastigran::pull_off_force(pair_.law, radius_eff, overlap, own, response);
+    std::memcpy(state, static_cast<const void*>(&own), bytes);
+    return response;
+  }
+  [[gnu::noinline]] Response at_factor(double radius_eff, double overlap, double overlap_rate,
+                                       double factor, LawState& own) const {
+    return pair_.at_factor(factor, [&](const auto& law, double) {
+      return plastigran::respond(law, radius_eff, overlap, own, overlap_rate);
+    });
+  }
   static LawState read(const double* state) {
     LawState own;
     std::memcpy(static_cast<void*>(&own), state, bytes);
