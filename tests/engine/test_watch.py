@@ -176,3 +176,23 @@ def test_contact_shows_that_the_step_is_too_long(ranks, tmp_path):
     assert float(reports[0][1]) == pytest.approx(2, rel=0.05)
     assert float(reports[0][2]) == pytest.approx(expected, rel=0.05)
     assert "WARNING" not in run(tmp_path, [(0, 0, GAP)], timestep=0.9 * expected, **changes)
+
+
+def test_a_fast_impact_with_adhesion_passes_overlaps_that_need_a_shorter_step(tmp_path):
+    """At the sticking speed, the recommended step is shorter than at the speed of this impact. The
+    impact passes the overlap of the slow one while it loads, which gives no warning.
+    """
+    speed, energy = 0.5, 0.5
+    law = laws.ADHESIVE_LAWS["thornton"](laws.combine(BODY, BODY), surface_energy=energy)
+    step = 0.9 * law.recommended_timestep(RADIUS, MASS, speed)
+    assert law.recommended_timestep(RADIUS, MASS, 0.1 * speed) < 0.5 * step
+    text = run(
+        tmp_path,
+        [(0, 0, GAP)],
+        settings="adhesion jkr",
+        more=f"fix gamma all property/global surfaceEnergy peratomtypepair 1 {energy}\n"
+        f"velocity all set 0 0 -{speed}",
+        timestep=step,
+        steps=int(1.5 * GAP / speed / step),
+    )
+    assert "WARNING" not in text

@@ -21,6 +21,7 @@
 #include "plastigran/pairs/impact_times.h"
 #include "plastigran/pairs/range_report.h"
 #include "plastigran/pairs/type_pair.h"
+#include "plastigran/shared/adhesion.h"
 #include "pointers.h"
 #include "update.h"
 
@@ -82,7 +83,10 @@ class ContactChecks : protected LAMMPS_NS::Pointers {
       fail(describe_crossing(atom, contact));
     // overlap_limit_ refers to the smaller radius. R* is at most this radius, so a check of every
     // overlap above overlap_limit_ R* finds all overlaps beyond the limit.
-    const bool deeper = pair.deepens(contact.deltan / radius_eff, overlap_limit_);
+    // A contact with adhesion is checked when it unloads: while it loads, it passes the overlaps of
+    // slower impacts, which need a shorter time step.
+    const bool loads = can_stretch<Law> && contact.vn < 0;
+    const bool deeper = !loads && pair.deepens(contact.deltan / radius_eff, overlap_limit_);
     pair.at_factor(factor, [&](const auto& law, double range) {
       if (contact.deltan > range * radius_eff)
         check_range(contact, law, range, radius_eff, before, now);
