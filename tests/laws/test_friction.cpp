@@ -331,6 +331,20 @@ TEST_CASE_TEMPLATE("the stiffness of a fresh contact is Mindlin's", Law, Increme
   CHECK(answer.force.x == doctest::Approx(5e-9).epsilon(1e-6));
 }
 
+TEST_CASE_TEMPLATE("a contact obeys a lower coefficient of friction at once", Law, Incremental,
+                   PartialSlip<8>) {
+  typename Law::State state;
+  const Law rough(0.5, 4), smooth(0.1, 4);
+  for (int step = 1; step <= 20; ++step)
+    rough.respond({1 + 0.1 * step, 5}, {{0.05, 0, 0}, {0, 0, 1}, 0}, state);
+  for (int step = 1; step <= 20; ++step) {
+    const double force = 3 + 0.1 * step;
+    const auto answer = smooth.respond({force, 5}, {{1e-4, 0, 0}, {0, 0, 1}, 0}, state);
+    CHECK(length(answer.force) <= 0.1 * force * (1 + 1e-9));
+    CHECK(answer.friction_work >= -1e-12);
+  }
+}
+
 TEST_CASE_TEMPLATE("a contact that ends forgets its history", Law, Incremental, PartialSlip<8>) {
   const Law law(friction, 4);
   typename Law::State state;

@@ -71,7 +71,12 @@ class PartialSlip {
     const Sum before = rings.sum();
     const double compliance = rings.follow(state.compliance, 1.5 * edge / load.stiffness);
     if (friction_ > 0) move(rings, edge, 1 / compliance * along);
-    const Sum after = rings.sum();
+    Sum after = rings.sum();
+    const double limit = friction_ * load.force;
+    if (dot(after.force, after.force) > limit * limit * (1 + 1e-9)) {
+      rings.limit(friction_);  // a run has reduced the coefficient of friction
+      after = rings.sum();
+    }
     TangentialResponse response;
     response.force = frame.in_space(after.force);
     response.stored_energy = compliance * after.energy;
@@ -186,6 +191,13 @@ class PartialSlip {
 
     PLASTIGRAN_DEVICE void scale(double factor) {
       for (int k = 0; k < count; ++k) ring[k].x *= factor, ring[k].y *= factor;
+    }
+    // Limits every D to the length `largest`.
+    PLASTIGRAN_DEVICE void limit(double largest) {
+      for (int k = 0; k < count; ++k) {
+        const double size = std::sqrt(dot(share(ring[k]), share(ring[k])));
+        if (size > largest) ring[k].x *= largest / size, ring[k].y *= largest / size;
+      }
     }
 
     // Returns the compliance c of this step, and adapts the rings to it. The stored energy is
