@@ -48,7 +48,12 @@ void PairStyle::set_cutoff(const std::string& cutoff) {
   PairGranular::settings(cutoff.empty() ? 0 : 1, &word);
 }
 
-void PairStyle::settings(int count, char** words) { set_cutoff(count == 1 ? words[0] : ""); }
+void PairStyle::settings(int count, char** words) {
+  if (count > 1)
+    error->all(FLERR, "pair_style granular/plastigran: unknown word {}; give at most a cutoff",
+               words[1]);
+  set_cutoff(count == 1 ? words[0] : "");
+}
 
 PairStyle* PairStyle::of(LAMMPS_NS::LAMMPS* lammps) {
   return dynamic_cast<PairStyle*>(lammps->force->pair_match("granular/plastigran", 1));
@@ -93,6 +98,13 @@ void PairStyle::coeff(int count, char** words) {
                "pair_coeff: give atom types, law and body, such as `pair_coeff 1 1 thornton "
                "7e10 0.3 yield_strength 3e8 tangential mindlin NULL 1.0 0.5`");
   const ContactLine line = read({words + 2, words + count}, "pair_coeff");
+  const Types one = types_of(words[0]), other = types_of(words[1]);
+  mixed_.erase(std::remove_if(mixed_.begin(), mixed_.end(),
+                              [&](const auto& pair) {
+                                return (one.has(pair.first) && other.has(pair.second)) ||
+                                       (one.has(pair.second) && other.has(pair.first));
+                              }),
+               mixed_.end());
   if (!line.mixed) return add_model(words[0], words[1], line, line.body, line.body);
   const std::string types[2] = {words[0], words[1]};
   for (const std::string& type : types)
@@ -102,8 +114,13 @@ void PairStyle::coeff(int count, char** words) {
             line_of(std::stoi(types[1])).body);
 }
 
-// Makes LAMMPS create its own model for the atom types, and replaces it by the law. LAMMPS appends
-// the new model to its list.
+PairStyle::Types PairStyle::types_of(const std::string& word) const {
+  Types types{};
+  LAMMPS_NS::utils::bounds(FLERR, word, 1, atom->ntypes, types.first, types.last, error);
+  return types;
+}
+
+// Makes LAMMPS create its own model for the atom types, and replaces it by the law.
 void PairStyle::add_model(const std::string& types, const std::string& other_types,
                           const ContactLine& line, const Body& one, const Body& other) {
   const auto made = law(line, one, other, "pair_coeff");
@@ -111,7 +128,8 @@ void PairStyle::add_model(const std::string& types, const std::string& other_typ
   words.insert(words.begin(), {types, other_types});
   auto all = pointers(words);
   PairGranular::coeff(static_cast<int>(all.size()), all.data());
-  set_model(models_list[nmodels - 1], line, one, other);
+  const int type = types_of(types).first, other_type = types_of(other_types).first;
+  set_model(models_list[types_indices[type][std::max(type, other_type)]], line, one, other);
 }
 
 void PairStyle::set_model(GranularModel* model, const ContactLine& line, const Body& one,
@@ -150,15 +168,43 @@ void PairStyle::init_style() {
     error->all(FLERR,
                "granular/plastigran: `minimize` would change the contact history in every trial "
                "step; use `run`");
+  // Mix again, because pair_coeff lines may have changed since the last run.
+  for (const auto& [i, j] : mixed_) setflag[i][j] = 0;
+  mixed_.clear();
   for (int i = 1; i <= atom->ntypes; ++i)
     for (int j = i + 1; j <= atom->ntypes; ++j)
       if (!setflag[i][j] && setflag[i][i] && setflag[j][j]) mix(i, j);
   PairGranular::init_style();
+  check_models();
   ParticleValues::create(lmp, ids);
   for (int k = 0; k < nmodels; ++k) {
     auto* const normal = static_cast<NormalModel*>(models_list[k]->normal_model);
     normal->count_in(RunTimeChecks::of(lmp).account(*normal->laws().front()));
   }
+}
+
+// Stops if a pair of atom types has another law or other models than in the last run, because its
+// contacts would continue with the history of the earlier models.
+void PairStyle::check_models() {
+  std::map<std::pair<int, int>, std::string> models;
+  for (int i = 1; i <= atom->ntypes; ++i)
+    for (int j = i; j <= atom->ntypes; ++j) {
+      if (!setflag[i][j]) continue;
+      const GranularModel* const model = models_list[types_indices[i][j]];
+      std::string& text = models[{i, j}] = model_of(i, j).line.law;
+      for (const auto* const part : model->sub_models)
+        text += ' ' + part->name + ' ' + std::to_string(part->size_history) + ' ' +
+                std::to_string(part->history_index);
+      const auto last = models_in_last_run_.find({i, j});
+      if (last != models_in_last_run_.end() && last->second != text)
+        error->all(
+            FLERR,
+            "granular/plastigran: atom types {} and {} have another law or other models than "
+            "in the last run; their contacts would keep the old history, so change only "
+            "constants",
+            i, j);
+    }
+  models_in_last_run_ = models;
 }
 
 // Stops if particles were renumbered, because contact histories refer to particles by their IDs.

@@ -44,6 +44,11 @@ WallLine::WallLine(LAMMPS_NS::LAMMPS* lammps, int count, char** words)
 
 NormalModel::Laws WallLine::laws() const {
   PairStyle* const pair = PairStyle::of(lammps_);
+  if (!pair)
+    lammps_->error->all(FLERR,
+                        "{}: the pair style has changed; the wall needs `pair_style "
+                        "granular/plastigran`, or remove the wall by `unfix`",
+                        command_);
   NormalModel::Laws all;
   for (int type = 1; type <= lammps_->atom->ntypes; ++type)
     all.push_back(pair->law(line_, pair->line_of(type).body, line_.body, command_));

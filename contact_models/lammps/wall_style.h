@@ -57,7 +57,7 @@ class WallStyle : private WallLine, public LammpsWall, public ContactTally {
   WallStyle(LAMMPS_NS::LAMMPS* lammps, int count, char** words)
       : WallLine(lammps, count, words), LammpsWall(lammps, WallLine::count(), WallLine::words()) {
     NormalModel::replace(this->model, lammps, laws(), tangential(), *this);
-    this->size_history = this->model->size_history;
+    this->size_history = history_size();
     this->use_history = this->restart_peratom = 1;
     this->memory->destroy(this->history_one);  // LAMMPS allocated it for its own model
     this->grow_arrays(this->atom->nmax);
@@ -75,6 +75,11 @@ class WallStyle : private WallLine, public LammpsWall, public ContactTally {
   // Makes the laws again from the present pair_coeff lines.
   void init() override {
     NormalModel::replace(this->model, this->lmp, laws(), tangential(), *this);
+    if (history_size() != this->size_history)
+      this->error->all(FLERR,
+                       "fix {}: new pair_coeff lines change the number of history values of the "
+                       "contacts; remove the wall by `unfix {}`, and give it again",
+                       this->style, this->id);
     LammpsWall::init();
     auto* const normal = static_cast<NormalModel*>(this->model->normal_model);
     normal->count_in(RunTimeChecks::of(this->lmp).account(*normal->laws().front()));
@@ -105,6 +110,11 @@ class WallStyle : private WallLine, public LammpsWall, public ContactTally {
   }
 
  private:
+  // Returns the number of history values of a contact. If contacts can stretch, LAMMPS stores in an
+  // additional first value whether the bodies touch.
+  int history_size() const {
+    return this->model->size_history + (this->model->beyond_contact ? 1 : 0);
+  }
   // Returns the velocity of a moving region, which LAMMPS computes as the mean over the last step.
   // Returns zero for planes: LAMMPS computes their velocity at the end of the step, so their work
   // needs no correction.

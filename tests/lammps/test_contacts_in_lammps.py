@@ -132,6 +132,67 @@ def test_types_of_two_materials_get_the_law_between_both(tmp_path):
         assert_allclose(table["v_out"].iloc[-1] / 0.05, contact.restitution(0.1), atol=1e-6)
 
 
+def test_grains_on_a_wall_with_adhesion_are_independent(tmp_path):
+    """A grain that slides on the wall moves in the same way with and without distant grains."""
+    results = []
+    for places in ([(0, 0)], [(0, 0), (5e-4, 0), (0, 5e-4)]):
+        grains = numbered([sphere(x, y, 9.995e-5, 0.02, 0.01) for x, y in places])
+        law = "thornton 1e9 0.3 yield_strength 5e7 surface_energy 0.5 adhesion jkr"
+        log = run(
+            tmp_path / str(len(places)),
+            f"""{box(1e-3)}{grains}
+            set group all diameter 2e-4 density 2500
+            pair_style granular/plastigran
+            pair_coeff * * {law} tangential partial_slip 0.3
+            fix floor all wall/gran/plastigran granular {law} tangential partial_slip 0.3 &
+              zplane 0 NULL
+            fix motion all nve/sphere
+            timestep 2e-9
+            variable vx equal vx[1]
+            variable vy equal vy[1]
+            thermo_style custom step v_vx v_vy
+            thermo_modify format float %.15g
+            run 2000
+            """,
+        )
+        results.append(thermo(log).iloc[-1])
+    assert results[0]["v_vx"] < 0.015
+    assert_allclose(results[1], results[0], rtol=1e-12)
+
+
+@pytest.mark.parametrize("mixed", ["", "pair_coeff 1 2 thornton mixed"])
+def test_repeated_lines_change_the_constants_of_all_pairs(mixed, tmp_path):
+    """Lines before a second run give all contacts friction: 1-1, 1-2 and 2-2."""
+    pairs = [(x, y) for y in (0, 0.03, 0.06) for x in (0, 2 * RADIUS - 1e-6)]
+    spheres = numbered([sphere(x, y, 0, 0, 0 if x else 0.01) for x, y in pairs])
+
+    def lines(friction: float) -> str:
+        laws = [f"pair_coeff {k} {k} thornton {body()}" for k in (1, 2)] + [mixed] * bool(mixed)
+        return "\n".join(f"{law} tangential incremental {friction}" for law in laws)
+
+    log = run(
+        tmp_path,
+        f"""{box(0.1, types=2)}{spheres}
+        set atom 4*6 type 2
+        pair_style granular/plastigran
+        {lines(0)}
+        fix motion all nve/sphere
+        timestep 1e-8
+        variable first equal fy[1]
+        variable second equal fy[3]
+        variable third equal fy[5]
+        thermo_style custom step v_first v_second v_third
+        run 10
+        {lines(0.3)}
+        run 10
+        """,
+    )
+    forces = thermo(log)[["v_first", "v_second", "v_third"]]
+    assert_allclose(forces.iloc[0], 0)
+    assert (forces.iloc[-1] < -1e-3).all()
+    assert_allclose(forces.iloc[-1], forces.iloc[-1, 0], rtol=1e-3)
+
+
 def chain(delete: str, folder: Path) -> pd.DataFrame:
     """Compress a chain of three spheres, delete another sphere, and partly unload the chain."""
     places = 8, 0, 1.9, 3.79

@@ -84,6 +84,24 @@ def script(lines: str) -> str:
         ),
         ("compute energy all plastigran/energy", "needs `pair_style granular/plastigran`"),
         (f"{GOOD}minimize 0 0 1 1", "`minimize` would change the contact history"),
+        ("pair_style granular/plastigran 1 2", "unknown word 2; give at most a cutoff"),
+        (
+            line(f"thornton {BODY} rate_coefficient 0.01 surface_energy 0.1 adhesion jkr"),
+            "rate_coefficient is not supported with adhesion; remove it",
+        ),
+        (
+            f"{GOOD}run 0\npair_coeff * * universal {BODY} {FRICTION}",
+            "atom types 1 and 1 have another law or other models than in the last run",
+        ),
+        (
+            f"{GOOD}{WALL}thornton rigid {FRICTION} xplane 0 NULL\n"
+            f"pair_coeff * * thornton {BODY} rate_coefficient 0.01 {FRICTION}",
+            "new pair_coeff lines change the number of history values",
+        ),
+        (
+            f"{GOOD}{WALL}thornton rigid {FRICTION} xplane 0 NULL\npair_style none",
+            "fix wall/gran/plastigran: the pair style has changed",
+        ),
     ],
 )
 def test_a_wrong_line_is_refused(lines, message, tmp_path):
