@@ -12,7 +12,9 @@ from lammps_scenes import run
 from plastigran.engine.process import PROJECT, EngineError
 
 PAGE = (PROJECT / "docs" / "lammps_defects.md").read_text()
-WRITE_RESTART, MIXED_TYPES, READ_RESTART, OPEN_END = re.findall(r"```\n(.*?)```", PAGE, re.DOTALL)
+WRITE_RESTART, MIXED_TYPES, READ_RESTART, OPEN_END, CYLINDER = re.findall(
+    r"```\n(.*?)```", PAGE, re.DOTALL
+)
 
 
 def result(folder: Path, script: str, **variables: object) -> float:
@@ -48,3 +50,9 @@ def test_a_contact_at_an_open_end_loses_its_history(tmp_path):
     for force in forces:
         assert f"{force:.1f}".replace("-", "−") in PAGE
     assert abs(forces[1]) < 0.6 * abs(forces[0])
+
+
+def test_grains_change_the_velocity_of_a_rotating_cylinder(tmp_path):
+    force, other = (result(tmp_path, CYLINDER, count=count) for count in (1, 2))
+    assert f"{force:.4f}".replace("-", "−") in PAGE
+    assert other == 0
