@@ -70,13 +70,9 @@ class PartialSlip {
     const double edge = cube_root(load.force, rings.edge(rings.count - 1));
     const Sum before = rings.sum();
     const double compliance = rings.follow(state.compliance, 1.5 * edge / load.stiffness);
+    rings.limit(friction_);  // a deck may reduce the coefficient of friction between two runs
     if (friction_ > 0) move(rings, edge, 1 / compliance * along);
-    Sum after = rings.sum();
-    const double limit = friction_ * load.force;
-    if (dot(after.force, after.force) > limit * limit * (1 + 1e-9)) {
-      rings.limit(friction_);  // a run has reduced the coefficient of friction
-      after = rings.sum();
-    }
+    const Sum after = rings.sum();
     TangentialResponse response;
     response.force = frame.in_space(after.force);
     response.stored_energy = compliance * after.energy;
@@ -192,11 +188,13 @@ class PartialSlip {
     PLASTIGRAN_DEVICE void scale(double factor) {
       for (int k = 0; k < count; ++k) ring[k].x *= factor, ring[k].y *= factor;
     }
-    // Limits every D to the length `largest`.
+    // Limits every D to the length `largest`; differences of round-off stay.
     PLASTIGRAN_DEVICE void limit(double largest) {
       for (int k = 0; k < count; ++k) {
-        const double size = std::sqrt(dot(share(ring[k]), share(ring[k])));
-        if (size > largest) ring[k].x *= largest / size, ring[k].y *= largest / size;
+        const double square = dot(share(ring[k]), share(ring[k]));
+        if (square <= largest * largest * (1 + 1e-9)) continue;
+        const double factor = largest / std::sqrt(square);
+        ring[k].x *= factor, ring[k].y *= factor;
       }
     }
 

@@ -8,6 +8,8 @@
 //   name         name in decks; source: the publication; range: where the law is valid
 //   State        struct of doubles, zero before first touch
 //   state_size(rings)                   number of leading doubles of State that the law uses
+//   changes_sign(k)                     whether value k of the state changes its sign if the two
+//                                       bodies are exchanged
 //   respond(load, motion, state)        advances the state by one step and returns the Response
 //
 // A law needs two values of the normal contact: the normal force F, and the tangential stiffness
