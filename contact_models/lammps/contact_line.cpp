@@ -163,9 +163,8 @@ Complaint ContactLine::read(const std::vector<std::string>& line) {
 }
 
 std::vector<std::string> ContactLine::placeholder(double shear_modulus_eff) const {
-  // Two equal bodies with Poisson's ratio 0 have G* = G/4 and E = 2 G, therefore E = 8 G*.
   char modulus[32];
-  std::snprintf(modulus, sizeof modulus, "%.17g", 8 * shear_modulus_eff);
+  std::snprintf(modulus, sizeof modulus, "%.17g", equivalent_modulus(shear_modulus_eff));
   const std::string none = is_restitution(models) ? "1" : "0";  // value that switches damping off
   std::vector<std::string> all{"hertz/material", modulus, viscous.empty() ? none : viscous, "0"};
   all.insert(all.end(), models.begin(), models.end());

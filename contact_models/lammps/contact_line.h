@@ -44,6 +44,10 @@ struct ContactLine {
   std::vector<std::string> placeholder(double shear_modulus_eff) const;
 };
 
+// Returns Young's modulus of LAMMPS' own model for an effective shear modulus. Two equal bodies
+// with Poisson's ratio 0 have G* = G/4 and E = 2 G, therefore E = 8 G*.
+inline double equivalent_modulus(double shear_modulus_eff) { return 8 * shear_modulus_eff; }
+
 Body rigid_body();
 
 bool to_number(const std::string& word, double& number);

@@ -23,7 +23,7 @@ NormalModel::NormalModel(GranularModel* model, LAMMPS_NS::LAMMPS* lammps, Laws l
   num_coeffs = 3;
   allocate_coeffs();
   std::copy_n(placeholder.coeffs, num_coeffs, coeffs);
-  Emod = coeffs[0];
+  coeffs[0] = Emod = equivalent_modulus(one.bodies.shear_modulus_eff);
   damp = coeffs[1];
   poiss = coeffs[2];
   material_properties = 1;

@@ -6,7 +6,7 @@
 // damping models use them.
 //
 // Contact history: a flag of LAMMPS (only for laws whose contacts can stretch), the state of the
-// law, the plastic work, and the rate factor (only for bodies with a rate coefficient). When LAMMPS
+// law, and the rate factor (only for bodies with a rate coefficient). When LAMMPS
 // stores a pair for the other particle, it multiplies each history value by its transfer factor.
 // The default of this factor is -1; this model sets 1.
 #pragma once

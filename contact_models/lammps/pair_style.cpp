@@ -98,13 +98,9 @@ void PairStyle::coeff(int count, char** words) {
                "pair_coeff: give atom types, law and body, such as `pair_coeff 1 1 thornton "
                "7e10 0.3 yield_strength 3e8 tangential mindlin NULL 1.0 0.5`");
   const ContactLine line = read({words + 2, words + count}, "pair_coeff");
-  const Types one = types_of(words[0]), other = types_of(words[1]);
-  mixed_.erase(std::remove_if(mixed_.begin(), mixed_.end(),
-                              [&](const auto& pair) {
-                                return (one.has(pair.first) && other.has(pair.second)) ||
-                                       (one.has(pair.second) && other.has(pair.first));
-                              }),
-               mixed_.end());
+  // Mix the types again before the next run, because the line may change a body or a law.
+  for (const auto& [i, j] : mixed_) setflag[i][j] = 0;
+  mixed_.clear();
   if (!line.mixed) return add_model(words[0], words[1], line, line.body, line.body);
   const std::string types[2] = {words[0], words[1]};
   for (const std::string& type : types)
@@ -112,12 +108,6 @@ void PairStyle::coeff(int count, char** words) {
       error->all(FLERR, "pair_coeff: `mixed` needs two single atom types, not {}", type);
   add_model(types[0], types[1], line, line_of(std::stoi(types[0])).body,
             line_of(std::stoi(types[1])).body);
-}
-
-PairStyle::Types PairStyle::types_of(const std::string& word) const {
-  Types types{};
-  LAMMPS_NS::utils::bounds(FLERR, word, 1, atom->ntypes, types.first, types.last, error);
-  return types;
 }
 
 // Makes LAMMPS create its own model for the atom types, and replaces it by the law.
@@ -128,7 +118,9 @@ void PairStyle::add_model(const std::string& types, const std::string& other_typ
   words.insert(words.begin(), {types, other_types});
   auto all = pointers(words);
   PairGranular::coeff(static_cast<int>(all.size()), all.data());
-  const int type = types_of(types).first, other_type = types_of(other_types).first;
+  int type = 0, other_type = 0, last = 0;
+  LAMMPS_NS::utils::bounds(FLERR, types, 1, atom->ntypes, type, last, error);
+  LAMMPS_NS::utils::bounds(FLERR, other_types, 1, atom->ntypes, other_type, last, error);
   set_model(models_list[types_indices[type][std::max(type, other_type)]], line, one, other);
 }
 
@@ -168,12 +160,10 @@ void PairStyle::init_style() {
     error->all(FLERR,
                "granular/plastigran: `minimize` would change the contact history in every trial "
                "step; use `run`");
-  // Mix again, because pair_coeff lines may have changed since the last run.
-  for (const auto& [i, j] : mixed_) setflag[i][j] = 0;
-  mixed_.clear();
   for (int i = 1; i <= atom->ntypes; ++i)
     for (int j = i + 1; j <= atom->ntypes; ++j)
       if (!setflag[i][j] && setflag[i][i] && setflag[j][j]) mix(i, j);
+  set_mixed_models();
   PairGranular::init_style();
   check_models();
   ParticleValues::create(lmp, ids);
@@ -183,28 +173,54 @@ void PairStyle::init_style() {
   }
 }
 
-// Stops if a pair of atom types has another law or other models than in the last run, because its
-// contacts would continue with the history of the earlier models.
-void PairStyle::check_models() {
+// Gives the models of `mixed` lines the present bodies of their atom types.
+void PairStyle::set_mixed_models() {
+  for (int i = 1; i <= atom->ntypes; ++i)
+    for (int j = i + 1; j <= atom->ntypes; ++j) {
+      if (!setflag[i][j]) continue;
+      GranularModel* const model = models_list[types_indices[i][j]];
+      const ContactLine line = models_.at(model).line;
+      if (line.mixed) set_model(model, line, line_of(i).body, line_of(j).body);
+    }
+}
+
+// Returns the law and the models of each pair of atom types, with their numbers of history values.
+std::map<std::pair<int, int>, std::string> PairStyle::models_of_pairs() {
   std::map<std::pair<int, int>, std::string> models;
   for (int i = 1; i <= atom->ntypes; ++i)
     for (int j = i; j <= atom->ntypes; ++j) {
       if (!setflag[i][j]) continue;
-      const GranularModel* const model = models_list[types_indices[i][j]];
       std::string& text = models[{i, j}] = model_of(i, j).line.law;
-      for (const auto* const part : model->sub_models)
-        text += ' ' + part->name + ' ' + std::to_string(part->size_history) + ' ' +
-                std::to_string(part->history_index);
-      const auto last = models_in_last_run_.find({i, j});
-      if (last != models_in_last_run_.end() && last->second != text)
-        error->all(
-            FLERR,
-            "granular/plastigran: atom types {} and {} have another law or other models than "
-            "in the last run; their contacts would keep the old history, so change only "
-            "constants",
-            i, j);
+      for (const auto* const part : models_list[types_indices[i][j]]->sub_models)
+        text += ' ' + part->name + ' ' + std::to_string(part->size_history);
     }
-  models_in_last_run_ = models;
+  return models;
+}
+
+// Stops if contacts would continue with the history of other models.
+void PairStyle::check_models() {
+  if (last_models_.empty()) return;
+  for (const auto& [types, text] : models_of_pairs()) {
+    const auto last = last_models_.find(types);
+    if (last != last_models_.end() && last->second != text)
+      error->all(FLERR,
+                 "granular/plastigran: atom types {} and {} have another law or other models than "
+                 "in the last run; their contacts would keep the old history, so change only "
+                 "constants",
+                 types.first, types.second);
+  }
+  if (!last_offsets_.empty() && offsets() != last_offsets_)
+    error->all(FLERR,
+               "granular/plastigran: new pair_coeff lines move the values of the contact history; "
+               "give each pair of atom types only one line before the first run");
+}
+
+// Returns the positions of the models' values in the contact history, which are the same for all
+// pairs of atom types.
+std::vector<int> PairStyle::offsets() const {
+  std::vector<int> all;
+  for (const auto* const part : models_list[0]->sub_models) all.push_back(part->history_index);
+  return all;
 }
 
 // Stops if particles were renumbered, because contact histories refer to particles by their IDs.
@@ -226,6 +242,8 @@ void PairStyle::check_particle_ids() {
 
 void PairStyle::setup() {
   check_particle_ids();
+  last_models_ = models_of_pairs();
+  last_offsets_ = offsets();
   expect_impacts();
 }
 
@@ -308,18 +326,20 @@ void PairStyle::read_restart(FILE* file) {
   };
   set_cutoff(read_text());
   std::vector<std::pair<GranularModel*, ContactLine>> mixed;
+  Body body;  // of any line
   for (int k = 0; k < nmodels; ++k) {
     const ContactLine line = read(LAMMPS_NS::utils::split_words(read_text()), "read_restart");
-    if (line.mixed)
+    if (line.mixed) {
       mixed.push_back({models_list[k], line});
-    else
+    } else {
       set_model(models_list[k], line, line.body, line.body);
+      body = line.body;
+    }
   }
-  for (const auto& [model, line] : mixed)
-    for (int i = 1; i <= atom->ntypes; ++i)
-      for (int j = i + 1; j <= atom->ntypes; ++j)
-        if (setflag[i][j] && models_list[types_indices[i][j]] == model)
-          set_model(model, line, line_of(i).body, line_of(j).body);
+  // A model that a later line has replaced needs any bodies.
+  for (const auto& [model, line] : mixed) set_model(model, line, body, body);
+  set_mixed_models();
+  last_models_ = models_of_pairs();
 }
 
 }  // namespace plastigran

@@ -54,21 +54,16 @@ class PairStyle : public LAMMPS_NS::PairGranular, public ContactTally {
     std::shared_ptr<const RuntimeLaw> law;
   };
 
-  // Range of atom types.
-  struct Types {
-    int first, last;
-    bool has(int type) const { return first <= type && type <= last; }
-  };
-
   void set_cutoff(const std::string& cutoff);
-  // Reads the atom types of a pair_coeff line, such as `1` or `1*3`.
-  Types types_of(const std::string& word) const;
   void add_model(const std::string& types, const std::string& other_types, const ContactLine& line,
                  const Body& one, const Body& other);
   void set_model(LAMMPS_NS::Granular_NS::GranularModel* model, const ContactLine& line,
                  const Body& one, const Body& other);
   const Model& model_of(int type, int other_type);
   void mix(int type, int other_type);
+  void set_mixed_models();
+  std::map<std::pair<int, int>, std::string> models_of_pairs();
+  std::vector<int> offsets() const;
   void check_models();
   void check_particle_ids();
   void expect_impacts();
@@ -76,7 +71,10 @@ class PairStyle : public LAMMPS_NS::PairGranular, public ContactTally {
   std::string cutoff_;  // argument of pair_style; empty if it has none
   std::map<LAMMPS_NS::Granular_NS::GranularModel*, Model> models_;
   std::vector<std::pair<int, int>> mixed_;  // pairs of atom types that no line names together
-  std::map<std::pair<int, int>, std::string> models_in_last_run_;  // by pair of atom types
+  // Models of the last run, or of the restart file, by pair of atom types, and offsets of their
+  // history in the last run.
+  std::map<std::pair<int, int>, std::string> last_models_;
+  std::vector<int> last_offsets_;
 };
 
 }  // namespace plastigran

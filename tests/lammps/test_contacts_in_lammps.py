@@ -193,6 +193,69 @@ def test_repeated_lines_change_the_constants_of_all_pairs(mixed, tmp_path):
     assert_allclose(forces.iloc[-1], forces.iloc[-1, 0], rtol=1e-3)
 
 
+def test_new_lines_change_the_bodies_of_a_mixed_pair(tmp_path):
+    """With a new line for type 1 before the second run, the plastic work of types 1 and 2 is that
+    of a run with this line from the start. The compression begins at step 0 of the second run.
+    """
+    weak, strong = (f"{body(attrs.evolve(MATERIAL, yield_strength=s))}" for s in (1e8, 3e8))
+    lines = (
+        "pair_coeff 1 1 thornton {} " + FRICTION + "\n"
+        f"pair_coeff 2 2 thornton {strong} {FRICTION}\npair_coeff 1 2 thornton mixed {FRICTION}"
+    )
+    works = []
+    for first in (weak, strong):
+        spheres = [sphere(RADIUS + 1e-6, 0, 0, -0.2), sphere(-RADIUS - 1e-6, 0, 0, 0.2)]
+        log = run(
+            tmp_path / str(len(works)),
+            f"""{box(8 * RADIUS, types=2)}{numbered(spheres)}
+            set atom 2 type 2
+            pair_style granular/plastigran
+            {lines.format(first)}
+            fix motion all nve/sphere
+            compute energy all plastigran/energy
+            timestep 1e-7
+            thermo_style custom step c_energy[4]
+            thermo_modify norm no format float %.15g
+            run 1
+            pair_coeff 1 1 thornton {weak} {FRICTION}
+            run 1000
+            """,
+        )
+        works.append(thermo(log)["c_energy[4]"].iloc[-1])
+    assert works[0] > 0
+    assert works[1] == works[0]
+
+
+@pytest.mark.parametrize(
+    "law", ["universal {} surface_energy 0.5 adhesion jkr", "thornton {} rate_coefficient 0.02"]
+)
+def test_the_energy_balance_does_not_change_the_motion(law, tmp_path):
+    """Without a compute, the plugin omits the energies of the laws. The relative tolerance allows
+    for another order of operations.
+    """
+    results = []
+    for compute in ("", "compute energy all plastigran/energy"):
+        spheres = [sphere(RADIUS + 1e-9, 0, 0, -0.2, 0.1), sphere(-RADIUS - 1e-9, 0, 0, 0.2)]
+        log = run(
+            tmp_path / str(len(results)),
+            f"""{box(8 * RADIUS)}{numbered(spheres)}
+            pair_style granular/plastigran
+            pair_coeff * * {law.format(body())} tangential partial_slip 0.3
+            fix motion all nve/sphere
+            {compute}
+            timestep 1e-7
+            variable vx equal vx[1]
+            variable vy equal vy[1]
+            thermo_style custom step v_vx v_vy
+            thermo_modify format float %.15g
+            run 1000
+            """,
+        )
+        results.append(thermo(log).iloc[-1])
+    assert results[0]["v_vx"] > 0.01  # the spheres have rebounded
+    assert_allclose(results[1], results[0], rtol=1e-12)
+
+
 def chain(delete: str, folder: Path) -> pd.DataFrame:
     """Compress a chain of three spheres, delete another sphere, and partly unload the chain."""
     places = 8, 0, 1.9, 3.79

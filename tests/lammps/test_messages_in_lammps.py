@@ -94,6 +94,12 @@ def script(lines: str) -> str:
             "atom types 1 and 1 have another law or other models than in the last run",
         ),
         (
+            f"{TWO}thornton {BODY} {FRICTION}\nrun 0\n"
+            f"pair_coeff 2 2 thornton {BODY} rate_coefficient 0.01 {FRICTION}\n"
+            f"pair_coeff 1 2 thornton mixed {FRICTION}",
+            "atom types 2 and 2 have another law or other models than in the last run",
+        ),
+        (
             f"{GOOD}{WALL}thornton rigid {FRICTION} xplane 0 NULL\n"
             f"pair_coeff * * thornton {BODY} rate_coefficient 0.01 {FRICTION}",
             "new pair_coeff lines change the number of history values",
