@@ -179,8 +179,8 @@ def test_contact_shows_that_the_step_is_too_long(ranks, tmp_path):
 
 
 def test_a_fast_impact_with_adhesion_passes_overlaps_that_need_a_shorter_step(tmp_path):
-    """At the sticking speed, the recommended step is shorter than at the speed of this impact. The
-    impact passes the overlap of the slow one while it loads, which gives no warning.
+    """A slow impact needs a shorter step than this one. The impact passes the overlap of the slow
+    one while it loads, which gives no warning.
     """
     speed, energy = 0.5, 0.5
     law = laws.ADHESIVE_LAWS["thornton"](laws.combine(BODY, BODY), surface_energy=energy)
