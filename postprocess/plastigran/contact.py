@@ -191,8 +191,9 @@ class Contact:
     def sticking_speed(self) -> float:
         """Largest closing speed of a central impact at which the bodies stick [m/s].
 
-        The sticking speed is 0 for a law without adhesion, and if it is below 1e-6 m/s. For `jkr`,
-        it has a closed form, `plastigran.physics.adhesion.jkr_sticking_speed`.
+        The sticking speed is 0 for a law without adhesion, and if the bodies rebound at all speeds
+        above 1e-6 m/s. For `jkr`, it has a closed form,
+        `plastigran.physics.adhesion.jkr_sticking_speed`.
 
         Raises:
             ValueError: The bodies stick even at 100 m/s, or no body has a mass.

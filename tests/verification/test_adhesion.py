@@ -192,6 +192,26 @@ def test_restitution_follows_from_the_motion(name):
     assert computed == pytest.approx(expected, abs=2e-5)
 
 
+def test_a_law_may_stick_only_above_some_speed():
+    """The adhesive limit of `luding_2008` grows with the load, so slow grains rebound. The page of
+    the law gives no closed form of the largest sticking speed, so restitution checks it.
+    """
+    law = laws.Luding2008(
+        PAIR,
+        loading_stiffness=1e3,
+        unloading_stiffness=5e3,
+        adhesive_stiffness=5e3,
+        plasticity_depth=0.05,
+    )
+    speed = adhesion.sticking_speed(law, 1e-3, 1e-5)
+    slow, sticking, fast = law.central_impact(
+        1e-3, 1e-5, np.array([0.01, speed, speed * (1 + 1e-9)])
+    ).coefficient_of_restitution
+    assert slow > 0.5
+    assert sticking == 0
+    assert fast > 0
+
+
 def test_sticking_speed_of_a_contact():
     """The restitution of `jkr` vanishes below its closed-form sticking speed."""
     bodies = {"radius": RADIUS, "mass_eff": MASS}

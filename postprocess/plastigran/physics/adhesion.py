@@ -70,13 +70,15 @@ def jkr_surface_energy(
 def sticking_speed(
     law: laws.Law, radius_eff: float, mass_eff: float, slowest: float = 1e-6, fastest: float = 1e2
 ) -> float:
-    """Return the largest speed at which two bodies stick [m/s]; 0 if it is below `slowest`.
+    """Return the largest speed at which two bodies stick [m/s]; 0 if they stick at no speed.
+
+    Some laws, such as `luding_2008`, rebound at low speeds and stick at higher ones.
 
     Args:
         law: Law between the bodies.
         radius_eff: Effective radius R* [m].
         mass_eff: Effective mass m* [kg].
-        slowest, fastest: Bounds of the search [m/s].
+        slowest, fastest: Bounds of the search [m/s], which tries 64 speeds first.
 
     Raises:
         ValueError: The bodies stick at the fastest speed.
@@ -87,12 +89,15 @@ def sticking_speed(
 
     if sticks(fastest):
         raise ValueError(f"the bodies stick even at {fastest:g} m/s, the highest speed tried")
-    if not sticks(slowest):
+    speeds = np.geomspace(fastest, slowest, 64)
+    lower = next((speed for speed in speeds if sticks(speed)), None)
+    if lower is None:
         return 0.0
-    while fastest > slowest * (1 + 1e-12):
-        middle = (slowest * fastest) ** 0.5
-        slowest, fastest = (middle, fastest) if sticks(middle) else (slowest, middle)
-    return slowest
+    upper = speeds[speeds > lower].min()
+    while upper > lower * (1 + 1e-12):
+        middle = (lower * upper) ** 0.5
+        lower, upper = (middle, upper) if sticks(middle) else (lower, middle)
+    return float(lower)
 
 
 def plastic_pull_off_force(
