@@ -23,6 +23,8 @@ EXAMPLE = "plastigran demo --output results/demo"
 #: when they land. Of the accurate laws, only `jackson_green` is valid for such overlaps. The impact
 #: speeds reach 27 yield speeds; the error of the restitution is then 4 % (docs/validation.md).
 HOPPER = {"law": "jackson_green", "layers": "10", "frames": "20"}
+#: Settings of the cooling gas in LAMMPS.
+TENTH = {"side": "8", "duration": "40", "rows": "40", "checkpoints": "4"}
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
@@ -55,10 +57,16 @@ def run(arguments: argparse.Namespace) -> None:
     table = sweep(impacts, folder / "geometries", jobs, progress=False, force=True).table
     pivot = table.pivot(index="law", columns="geometry", values="coefficient_of_restitution")
     print(pivot.rename_axis(index=None, columns=None).to_string(float_format="{:.6f}".format))
-    collide_in_lammps(folder / "lammps")
+    with_lammps = has_lammps()
+    if with_lammps:
+        collide_in_lammps(folder / "lammps")
     print("\nA freely cooling gas of 512 grains, on two ranks:")
     gas = folder / "cooling_gas"
     report(run_bulk("cooling_gas", {"side": "8", "frames": "16"}, gas, ranks=2, force=True))
+    if with_lammps:
+        print("\nThe first tenth of the same run in LAMMPS:")
+        lammps = folder / "cooling_gas_in_lammps"
+        report(run_bulk("cooling_gas", TENTH, lammps, ranks=2, force=True, host="lammps"))
     print("\nHalf of 2080 yielding grains flow out of a hopper, on two ranks:")
     hopper = folder / "hopper"
     report(run_bulk("hopper", HOPPER, hopper, ranks=2, force=True))
@@ -77,13 +85,18 @@ def run(arguments: argparse.Namespace) -> None:
     print("\nFigures:\n" + "\n".join(f"  {figure}" for figure in figures))
 
 
-def collide_in_lammps(folder: Path) -> None:
-    """Run an impact of two spheres in LAMMPS and print the restitution; skip it without LAMMPS."""
+def has_lammps() -> bool:
+    """Return whether LAMMPS can run; otherwise print the reason."""
     try:
         versions("lammps")
     except EngineError as error:
         print(f"\nThe demo continues without LAMMPS: {error}")
-        return
+        return False
+    return True
+
+
+def collide_in_lammps(folder: Path) -> None:
+    """Run an impact of two spheres in LAMMPS, and print the restitution."""
     pair = CentralImpact("universal", 0.1, "aluminium_zv02", 0.1, "two_spheres", host="lammps")
     restitution = pair.run(folder).coefficient_of_restitution
     print(f"\nRestitution of the same two spheres in LAMMPS, law universal: {restitution:.6f}")
