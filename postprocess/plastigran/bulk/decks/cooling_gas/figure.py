@@ -14,7 +14,7 @@ from plastigran.plot.style import COLOURS, MARKERS, styled, subplots
 def cooling_figure(
     runs: dict[str, pd.DataFrame], stall: float | None, cooling_rate: float | None = None
 ) -> Figure:
-    """Draw temperatures from LIGGGHTS (points) and mean-field theory (lines), and their ratio.
+    """Draw temperatures of simulations (points) and mean-field theory (lines), and their ratio.
 
     Args:
         runs: Tables by label: columns time [s], temperature, temperature_predicted [m^2/s^2] and
@@ -44,14 +44,14 @@ def cooling_figure(
             axes.plot(time * 1e3, haff(start, cooling_rate, time), "--", **line)
         if stall is not None:
             axes.axhline(stall, color="0.4", ls=":")
-            place = {"xycoords": ("axes fraction", "data"), "va": "bottom"}
-            axes.annotate("$v_Y^2$, yield speed squared", (0.01, stall), **place)
+            place = {"xycoords": ("axes fraction", "data"), "va": "bottom", "ha": "right"}
+            axes.annotate("$v_Y^2$, yield speed squared", (0.99, stall), **place)
         axes.plot([], [], color="0.4", lw=1.3, label="mean field")
         axes.set(xscale="log", yscale="log", ylabel="granular temperature (m²/s²)")
-        axes.legend(title="points: LIGGGHTS", loc="lower left")
+        axes.legend(title="points: simulation", loc="lower left")
         below.axhline(1, color="0.4", lw=0.8)
         band = {"color": "0.5", "alpha": 0.3, "lw": 0, "label": "two standard deviations"}
         below.fill_between([], [], [], **band)
         below.legend(loc="lower left", fontsize=8)
-        below.set(ylabel="LIGGGHTS /\nmean field", xlabel="time (ms)")
+        below.set(ylabel="simulation /\nmean field", xlabel="time (ms)")
     return figure
