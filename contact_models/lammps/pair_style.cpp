@@ -121,12 +121,11 @@ void PairStyle::add_model(const std::string& types, const std::string& other_typ
   int type = 0, other_type = 0, last = 0;
   LAMMPS_NS::utils::bounds(FLERR, types, 1, atom->ntypes, type, last, error);
   LAMMPS_NS::utils::bounds(FLERR, other_types, 1, atom->ntypes, other_type, last, error);
-  set_model(models_list[types_indices[type][std::max(type, other_type)]], line, one, other);
+  set_model(models_list[types_indices[type][std::max(type, other_type)]], line, made);
 }
 
-void PairStyle::set_model(GranularModel* model, const ContactLine& line, const Body& one,
-                          const Body& other) {
-  const auto made = law(line, one, other, "pair_coeff");
+void PairStyle::set_model(GranularModel* model, const ContactLine& line,
+                          const std::shared_ptr<const RuntimeLaw>& made) {
   NormalModel::replace(model, lmp, {made}, line.tangential, *this);
   models_[model] = {line, made};
 }
@@ -180,7 +179,8 @@ void PairStyle::set_mixed_models() {
       if (!setflag[i][j]) continue;
       GranularModel* const model = models_list[types_indices[i][j]];
       const ContactLine line = models_.at(model).line;
-      if (line.mixed) set_model(model, line, line_of(i).body, line_of(j).body);
+      if (line.mixed)
+        set_model(model, line, law(line, line_of(i).body, line_of(j).body, "pair_coeff"));
     }
 }
 
@@ -332,12 +332,13 @@ void PairStyle::read_restart(FILE* file) {
     if (line.mixed) {
       mixed.push_back({models_list[k], line});
     } else {
-      set_model(models_list[k], line, line.body, line.body);
+      set_model(models_list[k], line, law(line, line.body, line.body, "read_restart"));
       body = line.body;
     }
   }
   // A model that a later line has replaced needs any bodies.
-  for (const auto& [model, line] : mixed) set_model(model, line, body, body);
+  for (const auto& [model, line] : mixed)
+    set_model(model, line, law(line, body, body, "read_restart"));
   set_mixed_models();
   last_models_ = models_of_pairs();
 }

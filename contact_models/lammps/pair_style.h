@@ -58,7 +58,7 @@ class PairStyle : public LAMMPS_NS::PairGranular, public ContactTally {
   void add_model(const std::string& types, const std::string& other_types, const ContactLine& line,
                  const Body& one, const Body& other);
   void set_model(LAMMPS_NS::Granular_NS::GranularModel* model, const ContactLine& line,
-                 const Body& one, const Body& other);
+                 const std::shared_ptr<const RuntimeLaw>& made);
   const Model& model_of(int type, int other_type);
   void mix(int type, int other_type);
   void set_mixed_models();

@@ -85,12 +85,19 @@ class RuntimeLawOf : public RuntimeLaw {
 
   Response respond(double radius_eff, double overlap, double overlap_rate, double factor,
                    double* state) const override {
-    return response(radius_eff, overlap, overlap_rate, factor, state);
+    LawState now = read(state);
+    Response response = factor == 1
+                            ? plastigran::respond(pair_.law, radius_eff, overlap, now, overlap_rate)
+                            : at_factor(radius_eff, overlap, overlap_rate, factor, now);
+    response.pull_off_force =
+        plastigran::pull_off_force(pair_.law, radius_eff, overlap, now, response);
+    std::memcpy(state, static_cast<const void*>(&now), bytes);
+    return response;
   }
   // The attribute `flatten` inlines the law, so that the compiler can remove its energies.
   [[gnu::flatten]] Response forces(double radius_eff, double overlap, double overlap_rate,
                                    double factor, double* state) const override {
-    const Response all = response(radius_eff, overlap, overlap_rate, factor, state);
+    const Response all = RuntimeLawOf::respond(radius_eff, overlap, overlap_rate, factor, state);
     Response needed;
     needed.force = all.force;
     needed.viscous_force = all.viscous_force;
@@ -99,9 +106,8 @@ class RuntimeLawOf : public RuntimeLaw {
     return needed;
   }
   double plastic_work(double radius_eff, double factor, const double* state) const override {
-    LawState own = read(state);
     return pair_.at_factor(factor, [&](const auto& law, double) {
-      return plastigran::plastic_work_of(law, radius_eff, own);
+      return plastigran::plastic_work_of(law, radius_eff, read(state));
     });
   }
   double pull_off_distance(double radius_eff) const override {
@@ -150,21 +156,10 @@ class RuntimeLawOf : public RuntimeLaw {
   }
 
  private:
-  Response response(double radius_eff, double overlap, double overlap_rate, double factor,
-                    double* state) const {
-    LawState own = read(state);
-    Response response = factor == 1
-                            ? plastigran::respond(pair_.law, radius_eff, overlap, own, overlap_rate)
-                            : at_factor(radius_eff, overlap, overlap_rate, factor, own);
-    response.pull_off_force =
-        plastigran::pull_off_force(pair_.law, radius_eff, overlap, own, response);
-    std::memcpy(state, static_cast<const void*>(&own), bytes);
-    return response;
-  }
   [[gnu::noinline]] Response at_factor(double radius_eff, double overlap, double overlap_rate,
-                                       double factor, LawState& own) const {
+                                       double factor, LawState& state) const {
     return pair_.at_factor(factor, [&](const auto& law, double) {
-      return plastigran::respond(law, radius_eff, overlap, own, overlap_rate);
+      return plastigran::respond(law, radius_eff, overlap, state, overlap_rate);
     });
   }
   static LawState read(const double* state) {
