@@ -72,18 +72,18 @@ def test_surface_energy_of_the_material(call, tmp_path, capsys):
     that ignore the value of the material.
     """
     (tmp_path / "powder.in").write_text(POWDER + "variable surface_energy index 0.1\n")
-    found, said = [], []
+    rows, warnings = [], []
     for option in ([], ["--surface-energy", "0.1", "0.2"]):
         line = [*call, "--law", "jkr", "mdr", *option, "--speed", "1", "--theory", "--json"]
         assert main([*line, "--force"]) == 0
         printed = capsys.readouterr()
-        found += json.loads(printed.out)["table"]
-        said.append(printed.err)
+        rows += json.loads(printed.out)["table"]
+        warnings.append(printed.err)
     idle = "surface_energy of material powder is 0.1 J/m2, but has no effect in"
-    assert f"{idle} mdr. Use a law with adhesion" in said[0]
-    assert "has no effect" not in said[1]
-    assert [row["surface_energy"] for row in found] == [0.1, None, 0.1, 0.2, None]
-    jkr = [row["coefficient_of_restitution"] for row in found if row["law"] == "jkr"]
+    assert f"{idle} mdr. Use a law with adhesion" in warnings[0]
+    assert "has no effect" not in warnings[1]
+    assert [row["surface_energy"] for row in rows] == [0.1, None, 0.1, 0.2, None]
+    jkr = [row["coefficient_of_restitution"] for row in rows if row["law"] == "jkr"]
     assert jkr[0] == jkr[1] > jkr[2]
     assert main([*call, "--law", "jkr", "universal", "--speed", "1", "--dry-run"]) == 0
     remedy = "universal. Give --surface-energy 0.1 to switch on adhesion in laws that support it\n"

@@ -190,7 +190,7 @@ def test_repeated_lines_change_the_constants_of_all_pairs(mixed, tmp_path):
     forces = thermo(log)[["v_first", "v_second", "v_third"]]
     assert_allclose(forces.iloc[0], 0)
     assert (forces.iloc[-1] < -1e-3).all()
-    assert_allclose(forces.iloc[-1], forces.iloc[-1, 0], rtol=1e-3)
+    assert_allclose(forces.iloc[-1], forces.iloc[-1, 0], rtol=1e-9)
 
 
 def test_new_lines_change_the_bodies_of_a_mixed_pair(tmp_path):

@@ -123,4 +123,4 @@ def test_command(tmp_path, capsys):
     angles = np.array([row["angle"] for row in rows])
     sphere = Contact("thornton", "steel", RIGID, radius=2.5e-3, friction=0.1)
     normal = list(sphere.oblique_impact(1.0, angles[:3]).normal_restitution)
-    assert [row["normal_restitution"] for row in rows] == pytest.approx(2 * normal, rel=1e-3)
+    assert [row["normal_restitution"] for row in rows] == pytest.approx(2 * normal, rel=1e-12)

@@ -147,7 +147,7 @@ class CentralImpact(Experiment):
         )
 
     def _check_rate(self) -> None:
-        """Reject a rate coefficient with adhesion, which LIGGGHTS does not support."""
+        """Reject a rate coefficient with adhesion, which both hosts refuse."""
         if isnan(self.work_of_adhesion) or not laws.LAWS[self.law].yields:
             return
         for material in filter(None, (self.material, self.wall)):
