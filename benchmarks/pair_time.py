@@ -10,11 +10,13 @@ with another law. Ratios are taken within a round, so that slow changes of the m
 cancel. `hertz` runs twice per round, and the ratio of these two times shows the noise.
 
 The reference is stock `hertz` with restitution 0.6. The reference computes viscous damping, which
-the laws of this project do not have. All runs have `tangential history`.
+the laws of this project do not have. All runs have `tangential history`, except with the option
+`--tangential`. With this option, the reference is the law itself with `tangential history`.
 
     .venv/bin/python benchmarks/pair_time.py --repeats 5 --law thornton
     .venv/bin/python benchmarks/pair_time.py --copies 3 --law universal
     .venv/bin/python benchmarks/pair_time.py --law thornton --ledger
+    .venv/bin/python benchmarks/pair_time.py --law thornton --tangential incremental partial_slip
 
 With `--ledger`, every law also runs with energy balance. With `--copies 3`, the bed consists of
 3 by 3 by 3 copies, 540 000 spheres.
@@ -46,7 +48,8 @@ HERE = Path(__file__).resolve().parent
 WORK = PROJECT / "build" / "bench"
 RESULTS = PROJECT / "results" / "bench" / "pair_time.csv"
 
-REFERENCE, CONTROL = "hertz", "hertz again"
+REFERENCE = "hertz"
+AGAIN = " again"  # suffix of the name of the second run of the reference
 WITH_LEDGER = ", ledger"  # suffix of the name of a law with energy balance
 WITH_ADHESION = " adhesion jkr"  # suffix of the name of a law with adhesion
 SURFACE_ENERGY = 0.1  # work of adhesion of laws with adhesion [J/m2]
@@ -116,8 +119,16 @@ def make_bed(grains: int) -> Path:
 def bed_variables(
     contender: str, state: str, bed: Path, steps: int, shape: str = "sphere"
 ) -> dict[str, object]:
-    """Return the variables of pair_time.in for a law, or for a law with energy balance."""
-    law = REFERENCE if contender == CONTROL else contender.removesuffix(WITH_LEDGER)
+    """Return the variables of pair_time.in for a law.
+
+    Args:
+        contender: Name of the law, and a suffix for energy balance or a tangential model.
+        state: Key of `YIELD_STRENGTH`.
+        bed: Data file of the bodies.
+        steps: Time steps of each phase.
+        shape: Shape of the bodies.
+    """
+    law, _, suffix = contender.removesuffix(AGAIN).partition(", ")
     options = "energy_ledger on" if contender.endswith(WITH_LEDGER) else ""
     adhesive = law.endswith(WITH_ADHESION) or (law in laws.LAWS and laws.LAWS[law].adhesive)
     if law.endswith(WITH_ADHESION):
@@ -126,6 +137,7 @@ def bed_variables(
     return {
         "law": law.removesuffix(WITH_ADHESION),
         "options": options,
+        "tangential": suffix if suffix in laws.TANGENTIAL_LAWS else "history",
         "surface_energy": SURFACE_ENERGY if adhesive else 0,
         "yield_strength": YIELD_STRENGTH[state],
         "steps": steps,
@@ -143,7 +155,7 @@ def run_bed(
     count_every: int | None = None,
     shape: str = "sphere",
 ) -> str:
-    """Run a law, or a law with energy balance, along the path of the bed; return the log.
+    """Run a law, named as for `bed_variables`, along the path of the bed; return the log.
 
     If `count_every` is given, the run writes the contacts to contacts.dump every so many steps.
     """
@@ -180,18 +192,17 @@ def measure(
     """Return the pair times of laws in all rounds.
 
     Args:
-        names: Names of the laws.
+        names: Names of the laws, in the order reference, other laws, second run of the reference.
         bed: Data file of the bodies.
         steps: Time steps of each phase.
-        repeats: Number of rounds. A round is one run of every law and two of the reference, in both
-            states.
+        repeats: Number of rounds. A round is one run of every name, in both states.
         shape: Shape of the bodies.
 
     Returns:
         One row per run and phase: round, state, law, phase, time [s].
     """
     rows = []
-    for round_, law in turns([REFERENCE, *names, CONTROL], repeats):
+    for round_, law in turns(names, repeats):
         for state in YIELD_STRENGTH:
             log = run_bed(law, state, bed, steps, shape=shape)
             for phase, time in zip(PHASES, pair_times(log), strict=True):
@@ -199,27 +210,36 @@ def measure(
     return pd.DataFrame(rows, columns=["round", "state", "law", "phase", "time"])
 
 
-def compare(named: list[str], shape: str, bed: Path, options: argparse.Namespace) -> pd.DataFrame:
+def compare(
+    reference: str, names: list[str], shape: str, bed: Path, options: argparse.Namespace
+) -> pd.DataFrame:
     """Return pair times of laws / pair time of the reference for one shape, and contact counts."""
-    names = named + [law + WITH_LEDGER for law in named if options.ledger]
+    names = [reference, *names]
     counts = pd.DataFrame(
         count_contacts(law, state, bed, options.steps, shape)
         for state in YIELD_STRENGTH
-        for law in [REFERENCE, *names]
+        for law in names
     )
-    again = counts[counts["law"] == REFERENCE].assign(law=CONTROL)
-    table = summarize(measure(names, bed, options.steps, options.repeats, shape))
-    table = table.merge(pd.concat([counts, again]), on=["state", "law"])
+    control = reference + AGAIN
+    again = counts[counts["law"] == reference].assign(law=control)
+    times = measure([*names, control], bed, options.steps, options.repeats, shape)
+    table = summarize(times, reference).merge(pd.concat([counts, again]), on=["state", "law"])
     grains = options.grains * options.copies**3
-    return table.assign(shape=shape, repeats=options.repeats, steps=options.steps, grains=grains)
+    return table.assign(
+        reference=reference,
+        shape=shape,
+        repeats=options.repeats,
+        steps=options.steps,
+        grains=grains,
+    )
 
 
-def summarize(times: pd.DataFrame) -> pd.DataFrame:
+def summarize(times: pd.DataFrame, reference: str) -> pd.DataFrame:
     """Return median and quartiles of time / time of the reference in the same round."""
     both = times.groupby(["round", "state", "law"], as_index=False)["time"].sum()
     times = pd.concat([times, both.assign(phase=BOTH)])
     wide = times.pivot(index=["state", "phase", "round"], columns="law", values="time")
-    ratio = wide.div(wide[REFERENCE], axis=0).drop(columns=REFERENCE).stack().rename("ratio")
+    ratio = wide.div(wide[reference], axis=0).drop(columns=reference).stack().rename("ratio")
     quartiles = ratio.groupby(["state", "law", "phase"]).quantile([0.25, 0.5, 0.75]).unstack()
     quartiles.columns = ["ratio_q25", "ratio", "ratio_q75"]
     return quartiles.reset_index()
@@ -246,8 +266,16 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     names = known_laws()
     parser.add_argument("--law", nargs="+", choices=names, default=names, help="default: all")
-    parser.add_argument(
+    also = parser.add_mutually_exclusive_group()
+    also.add_argument(
         "--ledger", action="store_true", help="run every law also with energy balance"
+    )
+    also.add_argument(
+        "--tangential",
+        nargs="+",
+        choices=list(laws.TANGENTIAL_LAWS),
+        default=[],
+        help="compare tangential models with history, separately for every law",
     )
     parser.add_argument("--grains", type=int, default=20_000, help="default: %(default)s")
     parser.add_argument(
@@ -284,23 +312,28 @@ def main() -> None:
         made = bed.make(options.grains)
         if options.copies > 1:
             made = widen(made, options.copies, options.copies, along_z=options.copies)
-        tables.append(compare(named, shape, made, options))
+        groups = {REFERENCE: named + [law + WITH_LEDGER for law in named if options.ledger]}
+        if options.tangential:
+            groups = {law: [f"{law}, {model}" for model in options.tangential] for law in named}
+        tables += [compare(*group, shape, made, options) for group in groups.items()]
     table = pd.concat(tables, ignore_index=True)
 
     RESULTS.parent.mkdir(parents=True, exist_ok=True)
     table.to_csv(RESULTS, index=False, float_format="%.4f")
     print(
-        f"\npair time / pair time of stock {REFERENCE} (restitution 0.6), with tangential history: "
+        "\npair time / pair time of the reference with tangential history: "
         f"median (quartiles) of {options.repeats} rounds\n"
     )
-    for shape, part in table.groupby("shape", sort=False):
-        print(f"a bed of {shape}s\n\n{report(part)}\n")
-    control = table.loc[table["law"] == CONTROL, ["ratio_q25", "ratio_q75"]]
+    for (shape, reference), part in table.groupby(["shape", "reference"], sort=False):
+        print(f"a bed of {shape}s; reference: {reference}\n\n{report(part)}\n")
+    control = table.loc[table["law"] == table["reference"] + AGAIN, ["ratio_q25", "ratio_q75"]]
     noise = (control - 1).abs().max(axis=None)
-    print(f"\n'{CONTROL}' / {REFERENCE} should be 1; its quartiles differ by up to {noise:.0%}")
-    figure = RESULTS.with_suffix(".svg")
-    save(cost_figure(table, CONTROL), figure.with_suffix(""), (".svg",))
-    print(f"wrote {RESULTS}, {figure}")
+    print(f"ratios named '...{AGAIN}' should be 1; their quartiles differ by up to {noise:.0%}")
+    print(f"wrote {RESULTS}")
+    if not options.tangential:
+        figure = RESULTS.with_suffix(".svg")
+        save(cost_figure(table, REFERENCE + AGAIN), figure.with_suffix(""), (".svg",))
+        print(f"wrote {figure}")
 
 
 if __name__ == "__main__":

@@ -69,6 +69,12 @@ def test_pair_time(tmp_path, monkeypatch, capsys):
     assert (table["ratio"] > 0).all() and (table["contacts"] > 20).all()
     assert (tmp_path / "pair_time.svg").stat().st_size > 10_000
     assert "median (quartiles) of 1 rounds" in capsys.readouterr().out
+    words = ["--law", "thornton", "--tangential", "partial_slip", *words[3:]]
+    monkeypatch.setattr(sys, "argv", ["pair_time.py", *words, "--steps", "2"])
+    script.main()
+    table = pd.read_csv(tmp_path / "pair_time.csv")
+    assert set(table["law"]) == {"thornton, partial_slip", "thornton again"}
+    assert (table["ratio"] > 0).all() and (table["plastic_share"] > 0).any()
 
 
 @pytest.mark.engine
