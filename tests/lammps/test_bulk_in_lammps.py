@@ -29,6 +29,7 @@ RUNS = {
     "bed_impact-plate": ("plate", {}),
     "bed_impact-bed": ("bed", {}),
     "hopper": ("", {}),
+    "ball_impact": ("", {}),
 }
 
 
@@ -83,11 +84,31 @@ def test_the_bed_dissipates_as_in_liggghts(lammps_run, bulk_run):
     assert_allclose(lost[0], lost[1], rtol=0.05)
 
 
-@pytest.mark.parametrize("name", ["cooling_gas", "bed_impact-plate", "hopper", "compaction"])
+@pytest.mark.parametrize("contact", [{"law": "thornton"}, {"law": "hertz", "ledger": "off"}])
+def test_a_ball_moves_as_in_liggghts(contact, bulk_run):
+    """Without friction, the forces are the same, and the displacement of the ball agrees to 1e-9 of
+    its largest value, because the hosts add forces in different order. The hosts compute the slip
+    in contacts differently, so the displacement with friction agrees only within 1 %.
+    """
+    settings = {**deck_class("ball_impact").briefs[""].settings, **contact}
+    settings |= {"ball_height": 0.0135, "duration": 0.0006, "rows": 10}
+    for tangential, tolerance in ("off", 1e-9), ("history", 0.01):
+        settings["tangential"] = tangential
+        ours, expected = (
+            bulk_run("ball_impact", settings | {"host": host}).series
+            for host in ("lammps", "liggghts")
+        )
+        assert expected["velocity"].iloc[-1] > -4.0  # m/s; the bed has slowed the ball
+        scale = tolerance * expected["displacement"].abs().max()
+        assert_allclose(ours["displacement"], expected["displacement"], rtol=0, atol=scale)
+
+
+@pytest.mark.parametrize(
+    "name", ["cooling_gas", "bed_impact-plate", "hopper", "compaction", "ball_impact"]
+)
 def test_a_run_continues(name, lammps_run, tmp_path):
     """The sums of the energy balance have round-off, so a continued gas and shots on a plate agree
-    to 1e-9. In the hopper and the die, contacts amplify round-off, so only the next row is
-    compared, to 1e-6.
+    to 1e-9. In beds, contacts amplify round-off, so only the next row is compared, to 1e-6.
     """
     whole, deck = lammps_run(name), name.partition("-")[0]
     stopped = shutil.copytree(whole.folder, tmp_path / "stopped")
@@ -100,7 +121,7 @@ def test_a_run_continues(name, lammps_run, tmp_path):
     expected, continued = read_series(whole.folder), read_series(rest.folder)
     assert continued["step"].tolist() == expected["step"].tolist()
     rows = expected["step"] > step_of(last)
-    if name in ("hopper", "compaction"):
+    if name in ("hopper", "compaction", "ball_impact"):
         rows &= rows.cumsum() == 1
     for column in ("kinetic", "plastic", "friction"):
         scale = (1e-9 if rows.sum() > 1 else 1e-6) * energy_input(expected)
@@ -147,7 +168,10 @@ def test_ranks_agree_on_the_first_impacts(bulk_run, tmp_path):
 @pytest.mark.parametrize(
     ("line", "message"),
     [
-        ("drum --host lammps", "drum runs only in LIGGGHTS. Decks that run in LAMMPS: bed_impact,"),
+        (
+            "drum --host lammps",
+            "drum runs only in LIGGGHTS. Decks that run in LAMMPS: ball_impact, bed_impact,",
+        ),
         (
             "hopper --host lammps -v contact_history=1",
             "contact_history is 1; in LAMMPS, it must be 0",

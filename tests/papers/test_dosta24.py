@@ -95,5 +95,7 @@ def test_small_cases(coarse, coarse_table):
 def test_options_of_other_papers_and_cases_are_refused():
     with pytest.raises(ValueError, match=r"--grains is an option of --case impact"):
         find_paper("dosta24", case="drum", grains=100)
+    with pytest.raises(ValueError, match=r"silo and drum run only in LIGGGHTS\. Add --case impact"):
+        find_paper("dosta24", case="silo", host="lammps")
     with pytest.raises(ValueError, match=r"zv02 has no --case\. Remove --case"):
         find_paper("zv02", case="impact")

@@ -8,9 +8,10 @@ from pathlib import Path
 
 from plastigran.cli.arguments import positive_integer
 from plastigran.cli.reports import add_evidence_arguments, run_evidence
+from plastigran.engine.log import LOGS
 from plastigran.papers import find_paper, paper_names
 
-HELP = "reproduce tables and figures of a paper by finite elements, laws and LIGGGHTS"
+HELP = "reproduce tables and figures of a paper by finite elements, laws, LIGGGHTS and LAMMPS"
 EXAMPLE = "plastigran reproduce zv02 --coarse"
 
 
@@ -27,6 +28,11 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
     bulk.add_argument(
         "--case", choices=("impact", "silo", "drum"), help="case of the benchmark, default all"
     )
+    bulk.add_argument(
+        "--host",
+        choices=list(LOGS),
+        help="program that runs the decks, default liggghts; lammps needs --case impact",
+    )
     bulk.add_argument("--grains", type=positive_integer, help="number of grains (only impact)")
     bulk.add_argument(
         "--law",
@@ -39,7 +45,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    names = ("case", "grains", "law", "beds", "ranks")
+    names = ("case", "host", "grains", "law", "beds", "ranks")
     options = {name: value for name in names if (value := getattr(arguments, name)) is not None}
     if (fewer := options.keys() - {"ranks"}) and arguments.docs:
         raise ValueError(f"--docs needs complete results. Remove --{min(fewer)}")

@@ -14,17 +14,30 @@ from plastigran.report.base import Findings
 CASES = {"impact": impact, "silo": silo, "drum": drum}
 
 
-def paper(case: str | None = None, folder: Path | None = None, **options: object) -> Paper:
+def paper(
+    case: str | None = None,
+    folder: Path | None = None,
+    host: str = "liggghts",
+    **options: object,
+) -> Paper:
     """Return the benchmark with the tables and figures of one case, or of all.
 
     Args:
         case: Name in `CASES`; all cases if not given.
         folder: Folder of the bulk runs, by default results/dosta24. Unfinished runs in it continue.
+        host: Program that runs the decks: liggghts, or lammps for the case impact.
         options: Further arguments of `compute` in the modules of the cases.
 
     Raises:
-        ValueError: The number of grains is given for a case other than impact.
+        ValueError: The number of grains, or the host lammps, is given for a case other than impact.
     """
+    if host != "liggghts":
+        if case != "impact":
+            raise ValueError(
+                f"--host is {host}, but silo and drum run only in LIGGGHTS. Add --case impact, or "
+                "remove --host"
+            )
+        options["host"] = host
     if "grains" in options and case != "impact":
         raise ValueError("--grains is an option of --case impact. Add --case impact")
     folder = folder or Path("results") / "dosta24"

@@ -45,6 +45,7 @@ def compute(
     law: Sequence[str] | None = None,
     beds: int | None = None,
     ranks: int = 1,
+    host: str | None = None,
 ) -> Runs:
     """Run the beds, or continue their runs in `folder`.
 
@@ -56,6 +57,7 @@ def compute(
         law: Labels of `CONTACTS`, or names of laws; by default the labels in `BEDS`.
         beds: Number of beds; by default the numbers in `BEDS`.
         ranks: Number of MPI ranks.
+        host: lammps; LIGGGHTS if not given.
     """
     runs = {}
     for count in [COARSE_GRAINS] if coarse else [grains] if grains else BEDS:
@@ -63,6 +65,9 @@ def compute(
             number = 1 if coarse else beds or BEDS.get(count, {}).get(label, 1)
             settings = {"grain_count": count} | (COARSE if coarse else FULL)
             path = folder / f"impact_{count}"
+            if host:
+                settings["host"] = host
+                path = path.with_name(f"{path.name}_{host}")
             runs[count, label] = run_beds(
                 "ball_impact", settings, label, number, path, ranks, progress
             )
