@@ -120,3 +120,4 @@ def test_theories_of_oblique_impacts_are_those_of_the_page(page_table):
 def test_errors_for_the_rod_are_those_of_the_page(page_table, assert_on_page):
     law = page_table("rod")["law"][0]
     assert_on_page("rod", rod.summary(rod.impacts([law])))
+    assert_on_page("rod_tangential", rod.tangential_models())

@@ -25,16 +25,27 @@ TURNS = 6
 HISTORY_ROWS = 300
 
 
-class _Motion:
+class RodMotion:
     """Right-hand side of the equations of motion.
 
     The variables are (x, y, turn, velocity_x, velocity_y, angular velocity, spring): displacement
     of the center and rotation since first touch, their rates, and the stretch of the friction
     spring. `state` is the contact history at the largest overlap so far. Trial steps of the solver
     use copies of this history.
+
+    Raises:
+        ValueError: The law depends on the overlap rate, which these equations do not include; or
+            the speed is not positive and finite.
     """
 
     def __init__(self, rod: Rod, law, speed: float, shear_modulus_eff: float | None) -> None:
+        if law.rate_dependent:
+            raise ValueError(
+                f"{law.name} depends on the overlap rate, which the equations of motion of the rod "
+                "do not include"
+            )
+        if not 0 < speed < inf:
+            raise ValueError(f"speed is {speed}; it must be positive and finite")
         self.rod, self.spring = rod, shear_modulus_eff is not None
         self.law = law.at_impact(rod.tip_radius, speed)
         self.half, self.lean = rod.length / 2, radians(rod.angle)
@@ -142,17 +153,9 @@ def simulate(rod: Rod, law, speed: float, shear_modulus_eff: float | None = None
         shear_modulus_eff: G* of the tangential spring [Pa]; None for no spring.
 
     Raises:
-        ValueError: The law depends on the overlap rate, which these equations do not include; the
-            speed is not positive and finite; or the weight of the rod keeps the tip down.
+        ValueError: As for `RodMotion`, or the weight of the rod keeps the tip down.
     """
-    if law.rate_dependent:
-        raise ValueError(
-            f"{law.name} depends on the overlap rate, which the equations of motion of the rod "
-            "do not include"
-        )
-    if not 0 < speed < inf:
-        raise ValueError(f"speed is {speed}; it must be positive and finite")
-    body = _Motion(rod, law, speed, shear_modulus_eff)
+    body = RodMotion(rod, law, speed, shear_modulus_eff)
 
     def turning(time, motion):
         return body.closing_velocity(time, motion)

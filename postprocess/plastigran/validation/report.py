@@ -52,6 +52,7 @@ def compute(progress: bool, coarse: bool) -> Findings:
             "oblique": oblique.summary(moved),
             **{f"oblique_{name}": oblique.comparison(moved, name) for name in oblique.QUANTITIES},
             "rod": rods,
+            "rod_tangential": rod.tangential_models(),
             "errors": laws_on_spheres.errors(unfitted),
         },
         figures={
@@ -86,6 +87,7 @@ EVIDENCE = Evidence(
         "oblique_spin",
         "oblique_rebound_angle",
         "rod",
+        "rod_tangential",
     ),
     data=("errors",),
     figures=(

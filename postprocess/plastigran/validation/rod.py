@@ -8,6 +8,7 @@ from statistics import fmean
 
 import pandas as pd
 
+from plastigran import laws
 from plastigran.experiments.rod import RodImpact
 from plastigran.experiments.rod.paper import (
     PAPER_RESTITUTION,
@@ -15,18 +16,20 @@ from plastigran.experiments.rod.paper import (
     MeasuredRun,
     paper_rods,
 )
-from plastigran.physics.rod_motion import simulate
 from plastigran.validation.laws_on_spheres import yielding_laws
 from plastigran.validation.tables import nearest_first
 
 MEASURED = MeasuredRun()
+#: Tangential models of the table `tangential_models`.
+TANGENTIAL_MODELS = ("no_history", "history", *laws.TANGENTIAL_LAWS)
 
 
-def impacts(names: Iterable[str] | None = None) -> pd.DataFrame:
+def impacts(names: Iterable[str] | None = None, tangential: str = "no_history") -> pd.DataFrame:
     """Return the restitution of the tip for each law.
 
     Args:
         names: Names of laws; None for all laws with yield.
+        tangential: Tangential model. By default, friction has no spring, as in the paper.
 
     Returns:
         Columns law, angle [degrees], speed [m/s], restitution, angular_velocity [rad/s], and
@@ -35,9 +38,8 @@ def impacts(names: Iterable[str] | None = None) -> pd.DataFrame:
     rows = []
     for name in yielding_laws() if names is None else names:
         for rod in paper_rods():
-            law = RodImpact(name, 1.0, rod=rod).contact_law()
             for speed in PAPER_SPEEDS:
-                outcome = simulate(rod, law, speed)
+                outcome = RodImpact(name, speed, rod, tangential).predict()
                 rows.append(
                     {
                         "law": name,
@@ -77,3 +79,12 @@ def summary(impacts: pd.DataFrame) -> pd.DataFrame:
         row["velocities printed in the paper, angular velocity (%)"] = 100 * (spin - 1)
         rows.append(row)
     return nearest_first(rows)
+
+
+def tangential_models(law: str = "universal") -> pd.DataFrame:
+    """Return the errors of `summary` for each of `TANGENTIAL_MODELS` with one law."""
+    rows = [
+        summary(impacts([law], model)).assign(law=model).rename(columns={"law": "tangential model"})
+        for model in TANGENTIAL_MODELS
+    ]
+    return pd.concat(rows, ignore_index=True)

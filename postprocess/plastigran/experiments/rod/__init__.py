@@ -20,6 +20,7 @@ from plastigran.experiments.tables import HEADS
 from plastigran.materials import Material, material_field
 from plastigran.physics.rod import Rod, RodOutcome
 from plastigran.physics.rod_motion import simulate
+from plastigran.physics.rod_steps import simulate_in_steps
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -143,11 +144,11 @@ class RodImpact(Experiment):
         return variables | attrs.asdict(self.rod) | self.material.variables() | flat
 
     def predict(self) -> RodOutcome:
-        """Return the outcome predicted by the equations of motion with the same friction model.
-
-        For the tangential laws of this project, the equations have the spring of `history`.
-        """
+        """Return the outcome predicted by the equations of motion with the same friction model."""
         rod = self.rod
+        if self.tangential in laws.TANGENTIAL_LAWS:
+            tangential = laws.TANGENTIAL_LAWS[self.tangential](rod.coefficient_of_friction)
+            return simulate_in_steps(rod, self.contact_law(), self.speed, tangential)
         if self.tangential == "off":
             rod = attrs.evolve(rod, coefficient_of_friction=0.0)
         has_spring = self.tangential not in ("no_history", "off")
