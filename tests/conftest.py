@@ -48,7 +48,11 @@ settings.load_profile("test")
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    os.environ.setdefault("OMPI_MCA_mpi_yield_when_idle", "1")  # leave cores to other tests
+    # Ranks that wait leave the core to other tests. MPICH, of LAMMPS, waits without a pause in its
+    # collective operations for shared memory.
+    os.environ.setdefault("OMPI_MCA_mpi_yield_when_idle", "1")
+    os.environ.setdefault("MPIR_CVAR_POLLS_BEFORE_YIELD", "1")
+    os.environ.setdefault("MPIR_CVAR_DEVICE_COLLECTIVES", "none")
     resting_ranks = str(PROJECT / "build" / "tests" / "libresting_ranks.so")
     if "ASAN_OPTIONS" not in os.environ and not set(resting_ranks) & set(" :"):
         os.environ.setdefault("LD_PRELOAD", resting_ranks)

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Replaces sched_yield in the tests by a function that sleeps. With OMPI_MCA_mpi_yield_when_idle=1,
-// waiting ranks of Open MPI call sched_yield. The kernel's own function gives the core away for a
-// whole time slice. Four ranks on two busy cores then wait thirty times as long as they compute. A
-// sleeping rank wakes up earlier, because the kernel prefers it to computing ranks.
+// Replaces sched_yield in the tests by a function that sleeps. With the settings of conftest.py,
+// waiting ranks of Open MPI and of MPICH call sched_yield. The kernel's own function gives the core
+// away for a whole time slice. Four ranks on two busy cores then wait thirty times as long as they
+// compute. A sleeping rank wakes up earlier, because the kernel prefers it to computing ranks.
 #include <sched.h>
 #include <time.h>
 #include <unistd.h>
@@ -21,6 +21,7 @@ double seconds() {
 // Returns how long a waiting rank stays awake [s]; 0 if there are more ranks than cores.
 double awake() {
   const char* ranks = std::getenv("OMPI_COMM_WORLD_LOCAL_SIZE");
+  if (!ranks) ranks = std::getenv("MPI_LOCALNRANKS");  // MPICH
   return ranks && std::atol(ranks) <= sysconf(_SC_NPROCESSORS_ONLN) ? 5e-5 : 0;
 }
 

@@ -53,12 +53,12 @@ def test_the_balance_continues_after_a_restart(ranks, tmp_path):
     gave 1e-8.
     """
     unbroken = bed(tmp_path, plate="no").set_index("Step")
-    continued = bed(tmp_path, ranks, plate="no", **{"from": 5500}).set_index("Step")
-    assert unbroken.loc[5500, "friction"] > 1e-2 * unbroken.loc[0, "kinetic"]
-    for step in (5500, 6000):
+    continued = bed(tmp_path, ranks, plate="no", **{"from": 1800}).set_index("Step")
+    assert unbroken.loc[1800, "friction"] > 1e-2 * unbroken.loc[0, "kinetic"]
+    for step in (1800, 2000):
         scale = 1e-6 * unbroken.loc[step, "kinetic"]
         assert_allclose(continued.loc[step, TERMS], unbroken.loc[step, TERMS], atol=scale, rtol=0)
-    check_balance(pd.concat([unbroken.loc[:5000], continued]).reset_index())
+    check_balance(pd.concat([unbroken.loc[:1600], continued]).reset_index())
 
 
 def test_changes_by_the_deck_are_inserted_energy(tmp_path):
