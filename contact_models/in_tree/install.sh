@@ -30,17 +30,15 @@ trap 'rm -rf "$new"' EXIT
 # Collect the files as they will be in src/. The include path of LIGGGHTS builds does not contain
 # src/. Headers are two folders below src/, so their includes need the prefix ../../.
 cd "$models"
-for file in $(find plastigran liggghts -name '*.h' ! -path '*/plugin/*') \
+# shellcheck disable=SC2046
+cp --parents -t "$new" $(find plastigran liggghts -name '*.h' ! -path '*/plugin/*') \
   liggghts/plugin/any_model.h liggghts/plugin/engine_styles.h liggghts/plugin/foreign_histories.h \
-  liggghts/plugin/registered.h; do
-  mkdir -p "$new/${file%/*}"
-  sed 's|^#include "|&../../|' "$file" >"$new/$file"
-done
-for file in $(find liggghts -name '*.cpp' ! -path '*/plugin/*') in_tree/require_version.cpp \
+  liggghts/plugin/registered.h
+find "$new" -name '*.h' -exec sed -i 's|^#include "|&../../|' {} +
+# shellcheck disable=SC2046
+cp -t "$new" $(find liggghts -name '*.cpp' ! -path '*/plugin/*') in_tree/require_version.cpp \
   liggghts/plugin/any_model.cpp liggghts/plugin/foreign_histories.cpp \
-  liggghts/plugin/host_hertz.cpp liggghts/plugin/registration.cpp; do
-  cp "$file" "$new"
-done
+  liggghts/plugin/host_hertz.cpp liggghts/plugin/registration.cpp
 
 # Generate one file per law and one per combination with other models, as plugin/CMakeLists.txt
 # does.
@@ -79,8 +77,9 @@ fi
 # Copy only files that differ, so that the next build recompiles only these.
 find . -type f | while read -r file; do
   cmp -s "$file" "$tree/src/$file" && continue
-  mkdir -p "$tree/src/${file%/*}"
-  cp "$file" "$tree/src/$file"
+  folder=$tree/src/${file%/*}
+  [ -d "$folder" ] || mkdir -p "$folder"
+  cp "$file" "$folder"
 done
 
 cat <<END

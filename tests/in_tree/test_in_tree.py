@@ -119,10 +119,9 @@ def test_a_combination_of_any_models_is_that_of_the_plugin(in_tree, tmp_path):
     assert ours["omegaz"] != read_dump(tmp_path / "plain" / "trajectory.dump").iloc[-1]["omegaz"]
 
 
-@pytest.fixture
-def bare_tree(tmp_path):
-    """A folder that install.sh accepts as LIGGGHTS' sources."""
-    sources = tmp_path / "tree/src"
+def make_tree(folder: Path) -> Path:
+    """Make a folder that install.sh accepts as LIGGGHTS' sources."""
+    sources = folder / "tree/src"
     sources.mkdir(parents=True)
     for name in ["Make.sh", "contact_models.h", "normal_model_base.h"]:
         (sources / name).touch()
@@ -130,8 +129,27 @@ def bare_tree(tmp_path):
     return sources.parent
 
 
+@pytest.fixture
+def bare_tree(tmp_path):
+    return make_tree(tmp_path)
+
+
 def install(tree: Path):
     return subprocess.run([INSTALL, tree], capture_output=True, text=True)
+
+
+@pytest.fixture(scope="module")
+def installed(tmp_path_factory):
+    """A folder with our models; tests must not change it."""
+    tree = make_tree(tmp_path_factory.mktemp("installed"))
+    assert install(tree).returncode == 0
+    return tree
+
+
+@pytest.fixture
+def installed_copy(installed, tmp_path):
+    """A copy of `installed` with the times of its files."""
+    return shutil.copytree(installed, tmp_path / "tree")
 
 
 def contents(tree: Path):
@@ -144,9 +162,8 @@ def contents(tree: Path):
     }
 
 
-def test_every_model_is_installed(bare_tree):
-    assert install(bare_tree).returncode == 0
-    files = contents(bare_tree)
+def test_every_model_is_installed(installed):
+    files = contents(installed)
     _, registered = files["registered.inc"]
     for law in MODELS:
         assert {f"plastigran/laws/{law}.h", f"law_{law}.cpp"} <= set(files)
@@ -158,12 +175,11 @@ def test_every_model_is_installed(bare_tree):
     assert not any("@" in text for name, (_, text) in files.items() if name.startswith("law_"))
 
 
-def test_every_include_of_ours_is_installed(bare_tree):
+def test_every_include_of_ours_is_installed(installed):
     """Paths are relative to the including file, because builds of LIGGGHTS set no include path."""
-    install(bare_tree)
-    files = contents(bare_tree)
+    files = contents(installed)
     included = [
-        (bare_tree / "src" / name).parent / path
+        (installed / "src" / name).parent / path
         for name, (_, text) in files.items()
         for path in re.findall(r'^#include "(.*)"', text, re.MULTILINE)
         if "plastigran/" in path or "liggghts/" in path
@@ -172,20 +188,18 @@ def test_every_include_of_ours_is_installed(bare_tree):
     assert [path for path in included if not path.exists()] == []
 
 
-def test_installing_twice_changes_nothing(bare_tree):
-    install(bare_tree)
-    before = contents(bare_tree)
-    assert install(bare_tree).returncode == 0
-    assert contents(bare_tree) == before
+def test_installing_twice_changes_nothing(installed_copy):
+    before = contents(installed_copy)
+    assert install(installed_copy).returncode == 0
+    assert contents(installed_copy) == before
 
 
-def test_files_of_an_earlier_version_are_removed(bare_tree):
-    assert install(bare_tree).returncode == 0
-    law = bare_tree / "src/law_of_an_earlier_version.cpp"
+def test_files_of_an_earlier_version_are_removed(installed_copy):
+    law = installed_copy / "src/law_of_an_earlier_version.cpp"
     law.write_text("// of plastigran\n")
-    with open(bare_tree / "src/plastigran_files.txt", "a") as files:
+    with open(installed_copy / "src/plastigran_files.txt", "a") as files:
         files.write(f"./{law.name}\n")
-    assert install(bare_tree).returncode == 0
+    assert install(installed_copy).returncode == 0
     assert not law.exists()
 
 
@@ -217,14 +231,8 @@ def test_files_of_others_are_not_overwritten(bare_tree):
     assert contents(bare_tree) == before
 
 
-def test_cmake_component_installs_the_same(bare_tree, tmp_path):
-    install(bare_tree)
-    by_script = {name: data for name, (_, data) in contents(bare_tree).items()}
-    other = tmp_path / "by_cmake"
-    shutil.copytree(bare_tree, other)
-    for name, (_, text) in contents(other).items():
-        if "plastigran" in text or name.endswith(".whitelist"):
-            (other / "src" / name).unlink()
+def test_cmake_component_installs_the_same(installed, bare_tree):
+    by_script = {name: data for name, (_, data) in contents(installed).items()}
     component = ["cmake", "--install", PROJECT / "build", "--component", "in-tree"]
-    subprocess.run([*component, "--prefix", other / "src"], check=True, capture_output=True)
-    assert {name: data for name, (_, data) in contents(other).items()} == by_script
+    subprocess.run([*component, "--prefix", bare_tree / "src"], check=True, capture_output=True)
+    assert {name: data for name, (_, data) in contents(bare_tree).items()} == by_script
