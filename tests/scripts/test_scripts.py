@@ -217,9 +217,11 @@ def test_reliability(part, tmp_path, monkeypatch):
     page = PROJECT / "docs" / "reliability.md"
     monkeypatch.setattr(script, "WORK", tmp_path / "work")
     monkeypatch.setattr(script, "PAGE", tmp_path / "page.md")
-    small = sys.modules["reliability_kills"].SMALL
-    monkeypatch.setitem(small, "duration", "25")
-    monkeypatch.setitem(small, "rows", "50")
+    killing = sys.modules["reliability_kills"]
+    few = {"duration": "6", "rows": "48", "checkpoints": "24", "mixing": "0.2"}
+    monkeypatch.setattr(killing, "SMALL", killing.SMALL | few)
+    # The script kills a run about a dozen times; here, once, after 60 % of its steps.
+    monkeypatch.setattr(killing, "random", SimpleNamespace(uniform=lambda low, high: 4 * high))
     script.PAGE.write_text(page.read_text())
     monkeypatch.setattr(sys, "argv", ["reliability.py", part, "--count", "2"])
     script.main()

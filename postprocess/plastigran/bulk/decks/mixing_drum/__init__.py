@@ -29,7 +29,7 @@ class MixingDrum(GranularDeck):
             {"drum_radius": 0.03, "length": 0.014, "grain_count": 250, "large_count": 60}
             | {"timestep": 2e-6, "duration": 0.04, "rows": 20, "checkpoints": 4}
             | {"volume_fraction": 0.25},
-            start={"duration": 0.02},
+            start={"duration": 0.012},
         )
     }
 

@@ -40,7 +40,7 @@ class Silo(GranularDeck):
         "": Brief(
             {"grain_count": 300, "timestep": 3e-6, "duration": 0.12, "settling": 0.05}
             | {"rows": 24, "checkpoints": 4, "volume_fraction": 0.3},
-            start={"duration": 0.03, "settling": 0.01},
+            start={"duration": 0.012, "settling": 0.005},
         )
     }
 
