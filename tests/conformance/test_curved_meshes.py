@@ -311,7 +311,7 @@ def test_a_ball_that_leans_on_all_sides_is_named(tmp_path):
     for name, options in (("one", ""), ("each", "feature_angle 5")):
         folder = tmp_path / name
         folder.mkdir()
-        ledger = run(folder, f"{wall} {options}", let_go(60_000), **RESTING).ledger
+        ledger = run(folder, f"{wall} {options}", let_go(20_000), **RESTING).ledger
         came_in = ledger["gravity"].iloc[0] - ledger["gravity"].iloc[-1]
         moving[name] = ledger["kinetic"].iloc[-1] / came_in
         assert abs(ledger["drift"].iloc[-1]) < 1e-3 * came_in

@@ -6,6 +6,7 @@ crosses a border between ranks. The history is lost when the contact ends.
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from functools import cache
 from math import ceil
 from pathlib import Path
@@ -109,29 +110,28 @@ def course(tmp_path_factory):
     return collide
 
 
-RESTARTS = [(geometry, moment, 1) for geometry in GEOMETRIES for moment in ("loading", "unloading")]
-RESTARTS += [("pair", "unloading", 2), ("plane", "loading", 2), ("mesh", "unloading", 2)]
+def check_restart(
+    law: str, geometry: str, moment: str, ranks: int, course: Callable, folder: Path
+) -> None:
+    """Check that a run which continues from a restart file is bitwise identical to the second half
+    of the whole run.
 
-
-@pytest.mark.parametrize(("geometry", "moment", "ranks"), RESTARTS)
-def test_restart_in_mid_contact(history_law, geometry, moment, ranks, course, tmp_path):
-    """A run that continues from a restart file is bitwise identical to the second half of the whole
-    run. The exception is the first frame of a rate-dependent law. The forces at the start of a run
-    use the current speeds; those at the end of a run use speeds of half a step earlier.
+    The exception is the first frame of a rate-dependent law. The forces at the start of a run use
+    the current speeds; those at the end of a run use speeds of half a step earlier.
     """
-    bodies = scene(history_law)
-    loading_time, contact_time = course(history_law).loading_time, course(history_law).contact_time
+    bodies = scene(law)
+    loading_time, contact_time = course(law).loading_time, course(law).contact_time
     if moment == "loading":
         time = 0.5 * loading_time
     else:
         time = loading_time + 0.4 * (contact_time - loading_time)
     before = round(time / 8e-6)
     case = {"geometry": geometry, "after": 160}
-    bodies.run("restart_write", tmp_path / "whole", ranks=ranks, before=before, **case)
-    restart = (tmp_path / "whole" / "middle.restart").resolve()
-    bodies.run("restart_read", tmp_path / "rest", ranks=ranks, restart=restart, **case)
-    whole = read_dump(tmp_path / "whole" / "trajectory.dump")
-    rest = read_dump(tmp_path / "rest" / "trajectory.dump")
+    bodies.run("restart_write", folder / "whole", ranks=ranks, before=before, **case)
+    restart = (folder / "whole" / "middle.restart").resolve()
+    bodies.run("restart_read", folder / "rest", ranks=ranks, restart=restart, **case)
+    whole = read_dump(folder / "whole" / "trajectory.dump")
+    rest = read_dump(folder / "rest" / "trajectory.dump")
     peak = whole["fx"].abs().max()
     whole = whole[whole["step"] >= before].drop_duplicates(["step", "id"]).reset_index(drop=True)
     force = whole["fx"].abs().to_numpy()
@@ -141,6 +141,23 @@ def test_restart_in_mid_contact(history_law, geometry, moment, ranks, course, tm
         rest, whole = (table[table["step"] > before] for table in (rest, whole))
     assert len(rest) == len(whole)
     assert (rest.to_numpy() == whole.to_numpy()).all()
+
+
+@pytest.mark.parametrize("moment", ["loading", "unloading"])
+@pytest.mark.parametrize("geometry", GEOMETRIES)
+def test_restart_in_mid_contact(history_law, geometry, moment, course, tmp_path):
+    check_restart(history_law, geometry, moment, 1, course, tmp_path)
+
+
+def test_restart_on_two_ranks(history_law, course, tmp_path):
+    check_restart(history_law, "pair", "unloading", 2, course, tmp_path)
+
+
+@pytest.mark.parametrize(("geometry", "moment"), [("plane", "loading"), ("mesh", "unloading")])
+@pytest.mark.parametrize("law", ["thornton", "universal"])
+def test_restart_at_walls_on_two_ranks(law, geometry, moment, course, tmp_path):
+    """The storage of wall contacts differs between laws only in its size."""
+    check_restart(law, geometry, moment, 2, course, tmp_path)
 
 
 def test_ranks_share_and_hand_over_a_contact(history_law, course, tmp_path):
