@@ -20,8 +20,8 @@ from math import exp, inf, nan, sqrt
 import attrs
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy import stats
 from scipy.optimize import brentq, minimize_scalar
+from scipy.special import ndtri, stdtrit
 
 CONFIDENCE = 0.95
 GRID = 48  # number of strengths for the first search
@@ -86,11 +86,11 @@ def estimate_strength(
     if search.fun < least:
         best, least = search.x, search.fun
 
-    allowed = (stats.norm.ppf(0.5 + CONFIDENCE / 2) * scatter) ** 2
+    allowed = (ndtri(0.5 + CONFIDENCE / 2) * scatter) ** 2
     residual, freedom = nan, len(measured) - 1
     if freedom:
         residual = sqrt(least / freedom)
-        quantile = stats.t.ppf(0.5 + CONFIDENCE / 2, freedom)
+        quantile = stdtrit(freedom, 0.5 + CONFIDENCE / 2)
         allowed = max(allowed, quantile**2 * least / freedom)
 
     def excess(logarithm: float) -> float:

@@ -11,7 +11,6 @@ from math import inf
 
 import attrs
 import numpy as np
-from scipy.stats import linregress
 
 from plastigran.calibration.drop_test import DropTest
 from plastigran.calibration.hardness import (
@@ -246,6 +245,8 @@ def _trend(logarithm: np.ndarray, ratio: np.ndarray, scatter: float) -> list[str
     """
     if len(logarithm) < 4 or np.ptp(logarithm) == 0:
         return []
+    from scipy.stats import linregress  # imported here: scipy.stats is slow
+
     line = linregress(logarithm, np.log(ratio))
     ends = np.array([logarithm.min(), logarithm.max()])
     slow, fast = np.expm1(line.intercept + line.slope * ends)

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 
 import numpy as np
 import pandas as pd
-from scipy.stats import linregress
 
 #: Fractions of the depth between which Bagnold's profile is fitted. Layers at the base slip, and
 #: grains at the surface bounce.
@@ -61,6 +60,8 @@ def fit_profile(grains: pd.DataFrame, diameter: float) -> Profile:
     table.insert(0, "height", table.index * diameter / 2)
     shape = depth**1.5 - (depth - table["height"]).clip(lower=0) ** 1.5
     fitted = table["height"].between(*(share * depth for share in FITTED))
+    from scipy.stats import linregress  # imported here: scipy.stats is slow
+
     line = linregress(shape[fitted], table["speed"][fitted])
     table["speed_predicted"] = line.intercept + line.slope * shape
     left = (table["speed"] - table["speed_predicted"])[fitted]

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.stats import linregress
 
 #: Fraction of the peak pressure at which contact with the bed begins and ends. At lower pressures,
 #: the punch touches only single grains that protrude from the bed.
@@ -107,6 +106,8 @@ def heckel_line(density: ArrayLike, pressure: ArrayLike) -> HeckelLine:
     top = int(np.argmax(pressure))
     share = pressure[: top + 1] / pressure[top]
     straight = (share >= STRAIGHT[0]) & (share <= STRAIGHT[1])
+    from scipy.stats import linregress  # imported here: scipy.stats is slow
+
     fit = linregress(pressure[: top + 1][straight], -np.log1p(-density[: top + 1][straight]))
     return HeckelLine(fit.slope, fit.intercept, fit.rvalue**2)
 

@@ -4,8 +4,6 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.signal import find_peaks
-from scipy.signal.windows import blackmanharris
 
 PADDING = 8  # zero-padding factor, which interpolates peaks without improving the resolution
 
@@ -23,6 +21,8 @@ def spectrum(values: np.ndarray, timestep: float) -> tuple[np.ndarray, np.ndarra
     Returns:
         Frequencies, Hz, and amplitudes in the unit of the values, (4 n + 1,) each.
     """
+    from scipy.signal.windows import blackmanharris  # imported here: scipy.signal is slow
+
     window = blackmanharris(len(values), sym=False)
     weighted = window * (values - np.average(values, weights=window))
     size = PADDING * len(values)
@@ -43,6 +43,8 @@ def peaks(
     Returns:
         Increasing frequencies, Hz, and amplitudes, (n_peaks,) each.
     """
+    from scipy.signal import find_peaks  # imported here: scipy.signal is slow
+
     least = least * amplitudes.max()
     indices, _ = find_peaks(amplitudes, height=least, prominence=least)
     below, here, above = (np.log(amplitudes[indices + shift]) for shift in (-1, 0, 1))

@@ -10,7 +10,6 @@ import attrs
 import numpy as np
 import pandas as pd
 from scipy.integrate import cumulative_trapezoid
-from scipy.stats import linregress
 
 from plastigran.bulk.checks import Check, count_check, dissipated, trapezia_factor
 from plastigran.bulk.deck import Analysis, Brief, FlowDeck
@@ -91,6 +90,8 @@ class Chute(FlowDeck):
         """
         trapezia = trapezia_factor(series["time"], 2 * self.radius, self.gravitational_acceleration)
         work = series["gravity"].iloc[0] - series["gravity"]
+        from scipy.stats import linregress  # imported here: scipy.stats is slow
+
         power = linregress(steady["time"], dissipated(steady)).slope
         return [
             Check(

@@ -10,7 +10,6 @@ import attrs
 import numpy as np
 import pandas as pd
 from scipy.integrate import cumulative_trapezoid
-from scipy.stats import linregress
 
 from plastigran.bulk.checks import Check, count_check, dissipated, trapezia_factor
 from plastigran.bulk.deck import Analysis, Brief, FlowDeck
@@ -145,6 +144,8 @@ class Drum(FlowDeck):
             series: Columns time [s], wallwork, wallwork_predicted [J].
             steady: Rows after settling, with the further columns plastic, friction and viscous [J].
         """
+        from scipy.stats import linregress  # imported here: scipy.stats is slow
+
         share = linregress(steady["wallwork"], dissipated(steady)).slope
         checks = [
             Check(

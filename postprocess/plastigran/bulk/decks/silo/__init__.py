@@ -10,7 +10,6 @@ from typing import ClassVar
 import attrs
 import numpy as np
 import pandas as pd
-from scipy.stats import linregress
 
 from plastigran.bulk.checks import Check
 from plastigran.bulk.deck import BENCHMARK_BALANCE, Analysis, Brief, GranularDeck
@@ -125,6 +124,8 @@ class Silo(GranularDeck):
         ]
         if len(steady) < ROWS:
             return None
+        from scipy.stats import linregress  # imported here: scipy.stats is slow
+
         return -linregress(steady["time"], steady["held"]).slope
 
     def analyse(self, series: pd.DataFrame) -> Analysis:
