@@ -17,7 +17,7 @@ STEADY_FLOWS = {
     | {"duration": 1.8, "settling": 0.8, "checkpoints": 4},
     "drum": {"drum_radius": 0.05, "length": 0.03, "froude": 0.05, "duration": 0.9}
     | {"settling": 0.3, "checkpoints": 2},
-    "hopper": {"orifice": 8, "layers": 10, "timestep": 2e-5, "duration": 0.7, "rows": 150}
+    "hopper": {"orifice": 8, "layers": 10, "timestep": 3e-5, "duration": 0.7, "rows": 150}
     | {"filling": 0.2, "checkpoints": 1},
 }
 

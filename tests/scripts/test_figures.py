@@ -16,7 +16,7 @@ from plastigran.papers import find_paper, paper_names
 from plastigran.validation.report import EVIDENCE
 
 #: Settings for a steady discharge; the tests of the hopper use the same run.
-HOPPER = {"orifice": 8, "layers": 10, "timestep": 2e-5, "duration": 0.7, "rows": 150}
+HOPPER = {"orifice": 8, "layers": 10, "timestep": 3e-5, "duration": 0.7, "rows": 150}
 HOPPER |= {"filling": 0.2, "checkpoints": 1}
 
 
