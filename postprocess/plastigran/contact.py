@@ -16,6 +16,7 @@ from plastigran import laws
 from plastigran.declared import RADIUS, Declaration, read_number
 from plastigran.materials import RIGID, Material, law_class, read_material
 from plastigran.physics import central
+from plastigran.physics.adhesion import sticking_speed
 from plastigran.physics.oblique_contact import ObliqueOutcome, oblique_impacts
 
 if TYPE_CHECKING:
@@ -198,8 +199,6 @@ class Contact:
         Raises:
             ValueError: The bodies stick even at 100 m/s, or no body has a mass.
         """
-        from plastigran.physics.adhesion import sticking_speed  # scipy.optimize is slow to load
-
         if not self.law.adhesive:
             return 0.0
         return float(sticking_speed(self.law, self.radius_eff, self.mass_eff))

@@ -10,7 +10,6 @@ from pathlib import Path
 import attrs
 import numpy as np
 import pandas as pd
-from scipy.optimize import brentq
 
 from plastigran.engine.dumps import read_dump
 
@@ -192,6 +191,7 @@ def _end_of_power(overlap, force) -> tuple[float, Callable]:
     Returns:
         The residual overlap, and the fitted force as a function of the overlap.
     """
+    from scipy.optimize import brentq  # imported here: scipy.optimize is slow
 
     def slopes(n: float):
         return np.diff(force ** (1 / n)) / np.diff(overlap)
@@ -219,6 +219,7 @@ def _end_of_bent_power(overlap, force) -> tuple[float, Callable]:
     Returns:
         As for `_end_of_power`.
     """
+    from scipy.optimize import brentq  # imported here: scipy.optimize is slow
 
     def line(residual: float):
         z = np.sqrt(overlap - residual)

@@ -7,7 +7,6 @@ from math import pi
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.optimize import minimize_scalar
 
 from plastigran import laws
 
@@ -120,6 +119,7 @@ def plastic_pull_off_force(
         pressure: Mean pressure p at the largest load, without adhesion [Pa].
         contact_radius: Contact radius a_0 at the largest load [m].
     """
+    from scipy.optimize import minimize_scalar  # imported here: scipy.optimize is slow
 
     def force(x: float) -> float:
         punch = 2 * pressure * contact_radius**2 * (np.arcsin(x) - x * np.sqrt(1 - x * x))

@@ -13,7 +13,6 @@ from math import inf, sqrt
 
 import attrs
 import numpy as np
-from scipy.integrate import solve_ivp
 
 from plastigran import laws
 from plastigran.declared import number, radius_field
@@ -193,6 +192,8 @@ class _SpringSlider:
         return np.array([rate, -force, tangential, *turning, stretch])
 
     def rebound(self) -> Motion:
+        from scipy.integrate import solve_ivp  # imported here: scipy.integrate is slow
+
         def released(_: float, state: np.ndarray) -> float:
             return self.normal_force(max(state[0], 1e-30), state[1]) - 1e-12
 

@@ -7,7 +7,6 @@ from math import inf, radians, sin
 
 import numpy as np
 import pandas as pd
-from scipy.integrate import solve_ivp
 
 from plastigran.physics.rod import Rod, RodOutcome
 
@@ -155,6 +154,8 @@ def simulate(rod: Rod, law, speed: float, shear_modulus_eff: float | None = None
     Raises:
         ValueError: As for `RodMotion`, or the weight of the rod keeps the tip down.
     """
+    from scipy.integrate import solve_ivp  # imported here: scipy.integrate is slow
+
     body = RodMotion(rod, law, speed, shear_modulus_eff)
 
     def turning(time, motion):

@@ -27,7 +27,7 @@ LAWS = {"large": ("hertz", "thornton"), "small": ("hertz",)}
 STYLES = {"LIGGGHTS": "--", "MUSEN": ":"}
 #: Settings of a coarse run.
 COARSE = softened_grains(0.002) | {"timestep": 4e-5, "duration": 0.1, "settling": 0.04}
-COARSE |= {"rows": 50, "checkpoints": 2, "grain_count": 3000}
+COARSE |= {"rows": 50, "checkpoints": 2, "grain_count": 3000, "volume_fraction": 0.5}
 
 #: Runs with several random fillings, by orifice and label of `CONTACTS`.
 Runs = dict[tuple[str, str], list[BulkRun]]
