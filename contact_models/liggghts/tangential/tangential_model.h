@@ -191,10 +191,14 @@ class TangentialLawModel : public LIGGGHTS::ContactModels::TangentialModelBase {
 
   static Vector3 vector(const double* value) { return {value[0], value[1], value[2]}; }
 
+  static Vector3 velocity(const Contact& contact) {
+    return {contact.vtr1, contact.vtr2, contact.vtr3};
+  }
+
+  // Reads all three components before writing, so that the compiler can vectorize.
   static void add(const Vector3& value, double* sum) {
-    sum[0] += value.x;
-    sum[1] += value.y;
-    sum[2] += value.z;
+    const double x = sum[0] + value.x, y = sum[1] + value.y, z = sum[2] + value.z;
+    sum[0] = x, sum[1] = y, sum[2] = z;
   }
 
   // Advances the state by one step, adds the forces, and returns the stored energy of the law.
@@ -202,7 +206,6 @@ class TangentialLawModel : public LIGGGHTS::ContactModels::TangentialModelBase {
     const double friction = friction_[contact.itype][contact.jtype];
     // The normal model sets kn such that kn deltan is the force that limits friction.
     const NormalLoad load{std::max(0.0, contact.kn * contact.deltan), contact.kt};
-    const Vector3 velocity{contact.vtr1, contact.vtr2, contact.vtr3};
     TangentialMotion motion;
     motion.normal = vector(contact.en);
     double* const history = contact.contact_history + history_offset_;
@@ -213,7 +216,7 @@ class TangentialLawModel : public LIGGGHTS::ContactModels::TangentialModelBase {
       const double dt = this->update->dt;
       const Vector3 omega_i = vector(contact.omega_i);
       const Vector3 omega = contact.is_wall ? omega_i : omega_i + vector(contact.omega_j);
-      motion.displacement = dt * velocity;
+      motion.displacement = dt * velocity(contact);
       motion.separation = dt * contact.vn;
       motion.spin = 0.5 * dt * dot(omega, motion.normal);
     }
@@ -227,9 +230,9 @@ class TangentialLawModel : public LIGGGHTS::ContactModels::TangentialModelBase {
       std::memcpy(static_cast<void*>(&state), history, sizeof(State));
       response = Law(friction).respond(load, motion, state);
     }
-    Vector3 force = -1.0 * response.force;
+    Vector3 force = response.force;
     if (contact.gammat != 0) {
-      force = force - contact.gammat * velocity;
+      force = force + contact.gammat * velocity(contact);
       const double square = dot(force, force), limit = friction * load.force;
       if (square > limit * limit) force = limit / std::sqrt(square) * force;
     }
@@ -237,18 +240,18 @@ class TangentialLawModel : public LIGGGHTS::ContactModels::TangentialModelBase {
     return response.stored_energy;
   }
 
-  // Adds the force on particle i, and the opposite force on particle j.
+  // Adds the force on particle j, and the opposite force on particle i.
   static void apply(const Vector3& force, const Vector3& normal, const Contact& contact, Load& on_i,
                     Load& on_j) {
     const Vector3 turn = cross(normal, force);
     if (contact.is_wall) {
-      add(contact.area_ratio * force, on_i.delta_F);
-      add(-contact.area_ratio * contact.cri * turn, on_i.delta_torque);
+      add(-contact.area_ratio * force, on_i.delta_F);
+      add(contact.area_ratio * contact.cri * turn, on_i.delta_torque);
     } else {
-      add(force, on_i.delta_F);
-      add(-contact.cri * turn, on_i.delta_torque);
-      add(-1.0 * force, on_j.delta_F);
-      add(-contact.crj * turn, on_j.delta_torque);
+      add(-1.0 * force, on_i.delta_F);
+      add(contact.cri * turn, on_i.delta_torque);
+      add(force, on_j.delta_F);
+      add(contact.crj * turn, on_j.delta_torque);
     }
   }
 

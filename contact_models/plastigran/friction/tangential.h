@@ -96,20 +96,25 @@ class FrameRotation {
   // perpendicular to the new normal even if `old` was not exactly in the old plane, so round-off
   // does not accumulate.
   PLASTIGRAN_DEVICE Vector3 operator()(const Vector3& old) const {
-    const Vector3 tilted = old - factor_ * dot(old, normal_) * sum_;
-    if (spin_ == 0) return tilted;
-    double sine, cosine;
-    if (std::abs(spin_) < 0.03) {  // both series are exact to round-off
-      const double square = spin_ * spin_;
-      sine = spin_ * (1 - square * (1.0 / 6 - square / 120));
-      cosine = 1 - square * (0.5 - square * (1.0 / 24 - square / 720));
-    } else {
-      sine = std::sin(spin_), cosine = std::cos(spin_);
-    }
-    return cosine * tilted + sine * cross(normal_, tilted);
+    Vector3 turned = old - factor_ * dot(old, normal_) * sum_;
+    if (spin_ != 0) turned = spun(turned);
+    return turned;
   }
 
  private:
+  // Returns the vector `a` of the new plane, rotated by the spin.
+  PLASTIGRAN_DEVICE Vector3 spun(const Vector3& a) const {
+    double sine, cosine;
+    if (std::abs(spin_) < 0.03) {  // both series are exact to round-off
+      const double square = spin_ * spin_;
+      sine = spin_ * (1 - square * (1.0 / 6 - 1.0 / 120 * square));
+      cosine = 1 - square * (0.5 - square * (1.0 / 24 - 1.0 / 720 * square));
+    } else {
+      sine = std::sin(spin_), cosine = std::cos(spin_);
+    }
+    return cosine * a + sine * cross(normal_, a);
+  }
+
   Vector3 normal_, sum_;
   double factor_, spin_;
 };
