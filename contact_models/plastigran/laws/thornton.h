@@ -63,6 +63,7 @@ class Thornton : public NoConstants, public LargestOverlap {
 
   // Interface for tables/adhesive.h, in yield units.
   typedef PowerOfOverlap<Thornton> Rebound;
+  static constexpr bool closed_form = true;
   double elastic_range() const { return yield_overlap_ratio_; }
   PLASTIGRAN_DEVICE static Peak after_loading(double x) {
     const double force = 1.5 * x - 0.5, root = std::sqrt(x);

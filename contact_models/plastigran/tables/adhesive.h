@@ -39,7 +39,13 @@ namespace plastigran {
 template <class Law, class = void>
 constexpr bool takes_adhesion = false;
 template <class Law>
-constexpr bool takes_adhesion<Law, std::void_t<decltype(&Law::Rebound::shape_at)>> = true;
+constexpr bool takes_adhesion<Law, std::void_t<decltype(&Law::Rebound::energy_at)>> = true;
+
+// Whether a law after first loading has closed formulas, which take less time than a table.
+template <class Law, class = void>
+constexpr bool closed_form = false;
+template <class Law>
+constexpr bool closed_form<Law, std::void_t<decltype(Law::closed_form)>> = Law::closed_form;
 
 template <class Law>
 class Adhesive {
@@ -106,7 +112,7 @@ class Adhesive {
     if (before.overlap_max == 0) return contact_.energy_at_end(radius_eff, forms);
     const Peak peak = peak_of(radius_eff, before);
     double broken = -2, joined = 0;  // (overlap - overlap_res)/(overlap_max - overlap_res)
-    if (!forms) halve(broken, joined, [&](double beyond) { return point(peak, beyond).w > 0; });
+    if (!forms) halve(broken, joined, [&](double beyond) { return point(peak, beyond).root > 0; });
     const Response end = unloading(peak, point(peak, joined));
     return end.elastic_energy + end.surface_energy;
   }
@@ -138,15 +144,15 @@ class Adhesive {
     const double beyond = 1 - (state.overlap_max - overlap) * peak.inverse_recovery;
     Point at{};
     if (state.in_contact != 0 || beyond > 0) at = point(peak, beyond);
-    state.in_contact = at.w > 0;
-    return with_work(at.w > 0 ? unloading(peak, at) : Response(), peak, radius_eff, state);
+    state.in_contact = at.root > 0;
+    return with_work(at.root > 0 ? unloading(peak, at) : Response(), peak, radius_eff, state);
   }
 
  private:
   typedef typename Law::Rebound Rebound;
   static constexpr bool may_stiffen = energy_guarded<Law>;
-  enum Quantity { FORCE, SLOPE, INVERSE_RECOVERY, RADIUS };
-  static constexpr std::size_t stiffening = 4, shape = stiffening + may_stiffen,
+  enum Quantity { FORCE, INVERSE_RECOVERY, RADIUS };
+  static constexpr std::size_t stiffening = 3, shape = stiffening + may_stiffen,
                                quantities = shape + Rebound::has_shape;
   typedef std::array<double, quantities> Values;
 
@@ -157,9 +163,9 @@ class Adhesive {
   };
 
   PLASTIGRAN_DEVICE Values loaded(double x) const {
-    const AfterLoading at = work_.after_loading(law_, x);
-    Values values{at.force, at.slope, 1 / at.recovery, at.contact_radius};
-    if constexpr (may_stiffen) values[stiffening] = work_.eta(x, at);
+    const auto at = law_.after_loading(x);
+    Values values{at.force, at.inverse_recovery, at.contact_radius};
+    if constexpr (may_stiffen) values[stiffening] = work_.eta(x, work_.after_loading(law_, x));
     if constexpr (Rebound::has_shape) values[shape] = at.shape;
     return values;
   }
@@ -211,22 +217,20 @@ class Adhesive {
   PLASTIGRAN_DEVICE Peak peak_of(double radius_eff, const State& state, double pull) const {
     const double unit = overlap_y(radius_eff, state), per_unit = 1 / unit;
     const double x = state.overlap_max * per_unit;
-    const Values at = loaded_.covers(x) ? loaded_(x) : computed(x);
+    const Values at = closed_form<Law> ? loaded(x) : loaded_.covers(x) ? loaded_(x) : computed(x);
     const double radius_y = yield_radius(radius_eff, state);
-    const double stiffness = 4.0 / 3.0 * contact_.modulus() * radius_y;
-    double slope = stiffness * at[SLOPE], inverse_recovery = per_unit * at[INVERSE_RECOVERY];
-    if constexpr (may_stiffen) {
-      const double stiffer = 1 + number(radius_eff, state) * at[stiffening];
-      slope *= stiffer, inverse_recovery *= stiffer;
-    }
     double shape_at_x = Rebound::usual_shape;
     if constexpr (Rebound::has_shape) shape_at_x = at[shape];
-    return {stiffness * unit * at[FORCE],
-            slope,
-            pull,
-            radius_y * at[RADIUS],
-            inverse_recovery,
-            shape_at_x};
+    Peak peak;
+    peak.force = 4.0 / 3.0 * contact_.modulus() * radius_y * unit * at[FORCE];
+    peak.inverse_recovery = per_unit * at[INVERSE_RECOVERY];
+    if constexpr (may_stiffen)
+      peak.inverse_recovery *= 1 + number(radius_eff, state) * at[stiffening];
+    peak.slope = Rebound::largest_slope(shape_at_x) * peak.force * peak.inverse_recovery;
+    peak.pull = pull;
+    peak.contact_radius = radius_y * at[RADIUS];
+    peak.shape = shape_at_x;
+    return peak;
   }
 
   PLASTIGRAN_DEVICE double pull_off_force(const Peak& peak) const {
@@ -234,71 +238,69 @@ class Adhesive {
     return peak.slope * peak.pull * work_.rebound().pull_off(b, peak.shape);
   }
 
-  // Point of the unloading curve at w, where y = w^4 = (overlap_1 - overlap_res)/(overlap_max -
+  // Point of the unloading curve, where root^2 = y = (overlap_1 - overlap_res)/(overlap_max -
   // overlap_res). Force and root of the slope are divided by their values at the largest overlap.
   struct Point {
-    double w, force, root_of_slope;
+    double root, force, root_of_slope;
   };
   PLASTIGRAN_DEVICE static Point largest() { return {1, 1, 1}; }
 
-  PLASTIGRAN_DEVICE Point point_at(const Peak& peak, double w) const {
-    const ShapeOfUnloading at = work_.rebound().shape_at(w, peak.shape);
-    return {w, at.force, at.root_of_slope};
-  }
-
   // Returns the point of unloading at an overlap. `beyond` is (overlap - overlap_res)/(overlap_max
-  // - overlap_res). With b = D/(overlap_max - overlap_res) at the largest overlap, w is the largest
-  // root of w^4 - b S^(1/2)/S_max^(1/2) = beyond. Without a root, the contact breaks, and w is 0.
+  // - overlap_res). With b = D/(overlap_max - overlap_res) at the largest overlap, y is the largest
+  // root of y - b S^(1/2)/S_max^(1/2) = beyond. Without a root, the contact breaks, and y is 0.
   PLASTIGRAN_DEVICE Point point(const Peak& peak, double beyond) const {
     const double b = peak.pull * peak.inverse_recovery;
     if constexpr (Rebound::is_hertzian) {
-      const double w = adhesive_root(beyond, b);
+      const double w = adhesive_root(beyond, b), root = w * w;  // S^(1/2) is proportional to w
       // If no root exists, adhesive_root() returns the w of pull-off. Therefore check that a root
       // exists.
       const bool joined =
-          beyond > 0 || 4 * w * w * w > b * (1 + 1e-7) || w * (w * w * w - b) <= beyond;
-      return point_at(peak, joined ? w : 0);
+          beyond > 0 || 4 * w * root > b * (1 + 1e-7) || w * (w * root - b) <= beyond;
+      return joined ? Point{root, root * root * root, w} : Point{};
     } else {
       return point_of_any_shape(peak, b, beyond);
     }
   }
   // Solves the equation of point() for y by Newton's method. For weak adhesion, the equation is
-  // nearly linear in y. The start value is a series, valid for a slope that is a power of y.
+  // nearly linear in y. The start value is a series, valid for a slope that is a power of y. Its
+  // last term is that of a Hertz contact.
   PLASTIGRAN_DEVICE Point point_of_any_shape(const Peak& peak, double b, double beyond) const {
-    const double start = std::sqrt(std::sqrt(beyond));
+    const double start = std::sqrt(beyond);
     ShapeOfUnloading at = work_.rebound().shape_at(start, peak.shape);
     const double e = b * at.root_of_slope * (1 / beyond);
     if (!(beyond > 0 && e <= 0.5)) return point_near_pull_off(peak, b, beyond);
-    double w = start * (1 + e * (0.25 + e * (0.0625 * at.exponent - 0.09375)));
+    double root = start * (1 + e * (0.5 + e * (0.5 * at.exponent - 0.125 - 0.015625 * e)));
     for (;;) {
-      at = work_.rebound().shape_at(w, peak.shape);
-      const double y = w * w * (w * w), pulled = b * at.root_of_slope, power = 0.25 * at.exponent;
-      const double change = (beyond + pulled - y) / (y - power * pulled);
-      w *= 1 + change * (0.25 - change * (0.09375 - 0.0546875 * change));
+      at = work_.rebound().shape_at(root, peak.shape);
+      const double y = root * root, pulled = b * at.root_of_slope;
+      const double change = (beyond + pulled - y) / (y - at.exponent * pulled);
+      root *= 1 + change * (0.5 - change * (0.125 - 0.0625 * change));
       // At this limit, the relative error of y is less than 1e-12. After such a small last change,
       // two terms of a series give the force and the slope.
       if (!(e * change * change > 1e-11)) {
-        const double root =
-            at.root_of_slope * (1 + power * change * (1 + 0.5 * (power - 1) * change));
-        const double slopes = at.root_of_slope * at.root_of_slope + root * root;
+        const double root_of_slope =
+            at.root_of_slope * (1 + at.exponent * change * (1 + 0.5 * (at.exponent - 1) * change));
+        const double slopes = at.root_of_slope * at.root_of_slope + root_of_slope * root_of_slope;
         const double rise = 0.5 * Rebound::largest_slope(peak.shape) * y * change * slopes;
-        return {w, at.force + rise, root};
+        return {root, at.force + rise, root_of_slope};
       }
     }
   }
   [[gnu::noinline]] PLASTIGRAN_DEVICE Point point_near_pull_off(const Peak& peak, double b,
                                                                 double beyond) const {
-    const double w = refined_root(peak.shape, b, beyond, adhesive_root(beyond, b));
-    return point_at(peak, w > 0 ? w : refined_root(peak.shape, b, beyond, 1));
+    double w = refined_root(peak.shape, b, beyond, adhesive_root(beyond, b));
+    if (!(w > 0)) w = refined_root(peak.shape, b, beyond, 1);
+    const ShapeOfUnloading at = work_.rebound().shape_at(w * w, peak.shape);
+    return {w * w, at.force, at.root_of_slope};
   }
-  // Improves the root w by Newton's method. The function is convex where it rises, so after the
+  // Improves w = y^(1/4) by Newton's method. The function is convex where it rises, so after the
   // first steps w only decreases. Each step squares the error: after a step of 1e-7 it is about
   // 1e-14.
   PLASTIGRAN_DEVICE double refined_root(double shape_at_x, double b, double beyond,
                                         double w) const {
     for (int k = 0; k < 100; ++k) {
-      const ShapeOfUnloading at = work_.rebound().shape_at(w, shape_at_x);
-      const double cube = w * w * w, rise = 4 * cube - b * at.root_of_slope * at.exponent / w;
+      const ShapeOfUnloading at = work_.rebound().shape_at(w * w, shape_at_x);
+      const double cube = w * w * w, rise = 4 * (cube - b * at.root_of_slope * at.exponent / w);
       if (!(rise > 0)) return 0;
       const double step = (cube * w - b * at.root_of_slope - beyond) / rise;
       w -= step;
@@ -314,10 +316,10 @@ class Adhesive {
     const double force = peak.force * at.force, pulling = slope * pull;
     Response response;
     response.force = force - pulling;
-    response.contact_radius =
-        peak.contact_radius * work_.rebound().contact_radius_at(at.w, at.root_of_slope, peak.shape);
+    response.contact_radius = peak.contact_radius * work_.rebound().contact_radius_at(
+                                                        at.root, at.root_of_slope, peak.shape);
     response.elastic_energy =
-        peak.force / peak.inverse_recovery * work_.rebound().energy_at(at.w, peak.shape) -
+        peak.force / peak.inverse_recovery * work_.rebound().energy_at(at.root, peak.shape) -
         (force - 0.5 * pulling) * pull;
     response.surface_energy = -0.25 * pulling * pull;
     response.pull_off_force = pull_off_force(peak);

@@ -30,14 +30,11 @@ struct PlasticRadiusStays : PowerOfOverlap<void> {
   static constexpr bool has_shape = true;
 
   PLASTIGRAN_DEVICE static double largest_slope(double) { return usual_shape; }
-  PLASTIGRAN_DEVICE static double contact_radius_at(double w, double, double elastic_part) {
-    return 1 - elastic_part * (1 - w * w);
+  PLASTIGRAN_DEVICE static double contact_radius_at(double root, double, double elastic_part) {
+    return 1 - elastic_part * (1 - root);
   }
-  PLASTIGRAN_DEVICE static ShapeOfUnloading shape_at(double w, double) {
-    return PowerOfOverlap<void>().shape_at(w, usual_shape);
-  }
-  PLASTIGRAN_DEVICE static double energy_at(double w, double) {
-    return PowerOfOverlap<void>().energy_at(w, usual_shape);
+  PLASTIGRAN_DEVICE static double energy_at(double root, double) {
+    return PowerOfOverlap<void>().energy_at(root, usual_shape);
   }
 };
 

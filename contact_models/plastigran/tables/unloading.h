@@ -34,9 +34,9 @@ struct Peak {
   double plastic_work;
 };
 
-// Point of an unloading curve at y = w^4, from which adhesive.h computes adhesion. `force` and
+// Point of an unloading curve at y = root^2, from which adhesive.h computes adhesion. `force` and
 // `root_of_slope` (square root of dF/d(overlap)) are divided by their values at the largest
-// overlap. `exponent` is d ln(root_of_slope)/d ln(w).
+// overlap. `exponent` is d ln(root_of_slope)/d ln(y).
 //
 // The classes below also define contact_radius_at(), the contact radius divided by its value at the
 // largest overlap, and energy_at(), the elastic energy divided by F_max (overlap_max -
@@ -108,15 +108,13 @@ class PowerOfOverlap : public HertzBelowYield {
 
   // Returns the slope at the largest overlap divided by F_max/(overlap_max - overlap_res).
   PLASTIGRAN_DEVICE static double largest_slope(double exponent) { return exponent; }
-  PLASTIGRAN_DEVICE ShapeOfUnloading shape_at(double w, double exponent) const {
-    const double root = w * w, y = root * root;
-    if constexpr (is_hertzian) return {y * root, w, 1};
-    const double force = power_.share(y, root, exponent);
-    return {force, y > 0 ? std::sqrt(force / y) : 0, 2 * (exponent - 1)};
+  PLASTIGRAN_DEVICE ShapeOfUnloading shape_at(double root, double exponent) const {
+    const double y = root * root, force = power_.share(y, root, exponent);
+    return {force, y > 0 ? std::sqrt(force / y) : 0, 0.5 * (exponent - 1)};
   }
-  PLASTIGRAN_DEVICE static double contact_radius_at(double w, double, double) { return w * w; }
-  PLASTIGRAN_DEVICE double energy_at(double w, double exponent) const {
-    const double root = w * w, y = root * root;
+  PLASTIGRAN_DEVICE static double contact_radius_at(double root, double, double) { return root; }
+  PLASTIGRAN_DEVICE double energy_at(double root, double exponent) const {
+    const double y = root * root;
     return power_.share(y, root, exponent) * y / (exponent + 1);
   }
   PLASTIGRAN_DEVICE double pull_off(double b, double exponent) const {
@@ -160,17 +158,17 @@ class SteepeningUnloading : public HertzBelowYield {
   PLASTIGRAN_DEVICE Response at_largest(const Peak& peak) const { return scaled(peak, 1, 1, 1); }
 
   PLASTIGRAN_DEVICE static double largest_slope(double steepness) { return 1 + 0.5 / steepness; }
-  PLASTIGRAN_DEVICE static ShapeOfUnloading shape_at(double w, double steepness) {
-    const double root = w * w, g = steepness - 1, gz = g * root, one = 1 + gz, three = 3 + 2 * gz;
+  PLASTIGRAN_DEVICE static ShapeOfUnloading shape_at(double root, double steepness) {
+    const double g = steepness - 1, gz = g * root, one = 1 + gz, three = 3 + 2 * gz;
     const double inverse = 1 / (one * three), steeper = steepness * (inverse * three);
-    return {root * root * root * steeper, w * steeper * std::sqrt(three * (1 / (3 + 2 * g))),
-            1 - 2 * gz * (2 + gz) * inverse};
+    return {root * root * root * steeper, steeper * std::sqrt(root * (three * (1 / (3 + 2 * g)))),
+            0.25 - 0.5 * gz * (2 + gz) * inverse};
   }
   PLASTIGRAN_DEVICE static double contact_radius_at(double, double root_of_slope, double) {
     return root_of_slope * root_of_slope;
   }
-  PLASTIGRAN_DEVICE double energy_at(double w, double steepness) const {
-    const double root = w * w, square = root * root;
+  PLASTIGRAN_DEVICE double energy_at(double root, double steepness) const {
+    const double square = root * root;
     return steepness * square * square * root * work((steepness - 1) * root);
   }
   // The unloading is Hertzian near the residual overlap, with a slope that is `steeper` times
