@@ -43,8 +43,7 @@ class Run:
         processor: Processor time of the first rank in the timed steps [s].
         first: Memory of the first rank in its first run, before the timed steps [bytes].
         later: Memory of the first rank during the timed steps [bytes].
-        peak: Largest memory of the first rank [bytes], including the contact histories that the
-            plugin stores between runs.
+        peak: Largest memory of the first rank [bytes], also between runs.
         sections: Times [s] in the table that LIGGGHTS prints, by the names in `SECTIONS`.
         ghosts: Mean number of ghost atoms of a rank.
         neighbors: Number of pairs in the neighbor lists.

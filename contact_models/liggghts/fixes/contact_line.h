@@ -21,7 +21,6 @@ struct ContactLine {
   std::vector<std::string> histories;  // IDs of LIGGGHTS' fixes that store the contact histories
   // Constants of the law, one text line per pair of atom types; empty if contacts have no history.
   std::string constants;
-  bool is_new = false;         // whether the deck gave this line after the last run
   std::string report;          // constants to print in the log; empty if they were printed before
   std::uint64_t position = 0;  // hash of a primitive wall's geometry; 0 for other lines
 };

@@ -63,12 +63,6 @@ void add_fix_style(LAMMPS_NS::Modify* modify, const std::string& style, FixCreat
   (*(modify->*member_of(FixCreators())))[style] = creator;
 }
 
-FixCreator fix_creator(LAMMPS_NS::Modify* modify, const std::string& style) {
-  const auto& creators = *(modify->*member_of(FixCreators()));
-  const auto creator = creators.find(style);
-  return creator == creators.end() ? nullptr : creator->second;
-}
-
 const char* restarted_state(LAMMPS_NS::Modify* modify, const std::string& id,
                             const std::string& style) {
   for (int k = 0; k < modify->nfix_restart_global; ++k)

@@ -41,9 +41,6 @@ bool is_number(const Setting& setting, double& number);
 typedef LAMMPS_NS::Fix* (*FixCreator)(LAMMPS_NS::LAMMPS*, int, char**);
 void add_fix_style(LAMMPS_NS::Modify* modify, const std::string& style, FixCreator creator);
 
-// Returns the function that creates fixes of a style, or null if the style is unknown.
-FixCreator fix_creator(LAMMPS_NS::Modify* modify, const std::string& style);
-
 // Returns the global state of a fix from the restart file, or null if the file has none. The state
 // is available until the first run after the restart.
 const char* restarted_state(LAMMPS_NS::Modify* modify, const std::string& id,

@@ -10,7 +10,6 @@
 #include "liggghts/fixes/engine_access.h"
 #include "liggghts/fixes/messages.h"
 #include "liggghts/fixes/ranks.h"
-#include "neighbor.h"
 #include "output.h"
 #include "pair_gran.h"
 
@@ -49,9 +48,8 @@ void HistoryKeeper::connect(const std::string& owner, const ContactLine& line) {
   ContactLine& connected = connected_[owner];
   // The line may have been registered before a run that had no setup. Keep what that run did not
   // report.
-  const ContactLine earlier = std::exchange(connected, line);
-  connected.is_new = line.is_new || earlier.is_new;
-  if (line.report.empty()) connected.report = earlier.report;
+  const std::string earlier = std::exchange(connected, line).report;
+  if (line.report.empty()) connected.report = earlier;
   const auto entry = restarted_.find(owner);
   if (entry == restarted_.end()) return;
   const ContactLine restarted = entry->second;
@@ -98,26 +96,42 @@ ContactLines HistoryKeeper::with_host_pair_style(const ContactLines& lines) cons
 }
 
 void HistoryKeeper::post_run() {
+  for (const auto& [owner, line] : with_host_pair_style(lines_))
+    for (const std::string& id : line.histories)
+      if (LAMMPS_NS::Fix* const fix = modify->find_fix_id(id.c_str()))
+        StoredHistories(fix).update();
+  begin_storage();
+}
+
+// Begins to keep the histories that the fixes of LIGGGHTS have now.
+void HistoryKeeper::begin_storage() {
   stored_.clear();
   for (const auto& [owner, line] : with_host_pair_style(lines_))
     for (const std::string& id : line.histories) {
       LAMMPS_NS::Fix* const fix = modify->find_fix_id(id.c_str());
       if (!fix) continue;
-      StoredHistories histories(fix);
-      histories.update();
-      stored_.push_back({owner, line.models, id, histories.layout(), wall_position(lmp, fix), {}});
-      ParticleRecords& records = stored_.back().records;
-      std::size_t size = 0;
-      for (int i = 0; i < atom->nlocal; ++i) size += histories.size_of(i);
-      records.reserve(atom->nlocal, size);
-      for (int i = 0; i < atom->nlocal; ++i) {
-        const std::vector<double> values = histories.of(i);
-        records.add(atom->tag[i], values.data(), values.size());
-      }
+      const StoredHistories::Layout layout = StoredHistories(fix).layout();
+      stored_.push_back({owner, line.models, id, layout, wall_position(lmp, fix), false, {}});
     }
   std::copy_n(atom->tag, atom->nlocal, ids_.begin());
-  page_ = neighbor->pgsize, largest_list_ = neighbor->oneatom;
   particle_total_ = sum_over_ranks(static_cast<long>(atom->nlocal), world);
+}
+
+void HistoryKeeper::copy(LAMMPS_NS::Fix* fix) {
+  const auto entry = std::find_if(stored_.begin(), stored_.end(), [fix](const Stored& stored) {
+    return stored.fix == fix->id && !stored.is_copy;
+  });
+  if (entry == stored_.end()) return;
+  entry->is_copy = true;
+  const StoredHistories histories(fix);
+  std::size_t size = 0;
+  for (int i = 0; i < atom->nlocal; ++i) size += histories.size_of(i);
+  entry->records.reserve(atom->nlocal, size);
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (!ids_[i]) continue;  // created after the last run
+    const std::vector<double> values = histories.of(i);
+    entry->records.add(ids_[i], values.data(), values.size());
+  }
 }
 
 void HistoryKeeper::setup_pre_exchange() {
@@ -139,14 +153,15 @@ void HistoryKeeper::restore_lost_histories() {
   const NewIds new_ids(ids_.data(), atom->tag, atom->nlocal, particle_total_, world);
   const ContactLines lines = with_host_pair_style(lines_);
   for (Stored& stored : stored_) {
+    LAMMPS_NS::Fix* const fix = modify->find_fix_id(stored.fix.c_str());
+    if (!stored.is_copy) {
+      if (fix && !new_ids.unchanged()) StoredHistories(fix).rename(atom->nlocal, new_ids);
+      continue;
+    }
     stored.records.fetch(ids_.data(), atom->nlocal, world);
     const auto entry = lines.find(stored.owner);
     if (entry == lines.end()) continue;
     const ContactLine& line = entry->second;
-    // Skip unchanged walls: walls lose their histories only if the deck gives their line again.
-    if (stored.owner != pair_owner && !line.is_new) continue;
-    LAMMPS_NS::Fix* const fix = modify->find_fix_id(stored.fix.c_str());
-    if (fix && !fix->just_created && is_unchanged(stored, fix)) continue;
     if (fix && can_continue(stored, line, fix)) {
       fix->just_created = 0;  // LIGGGHTS clears fixes with just_created at the beginning of the run
       restore(stored, fix, new_ids);
@@ -159,22 +174,7 @@ void HistoryKeeper::restore_lost_histories() {
                                     "`. Repeat the earlier line to keep the " + "histories"));
     }
   }
-}
-
-// Returns whether a fix still has the stored histories and no particle was renumbered. Also returns
-// false if the deck changed `page` or `one` by neigh_modify, because LIGGGHTS has then freed the
-// memory that the fix points to.
-bool HistoryKeeper::is_unchanged(const Stored& stored, LAMMPS_NS::Fix* fix) const {
-  bool unchanged = page_ == neighbor->pgsize && largest_list_ == neighbor->oneatom;
-  for (int i = 0; unchanged && i < atom->nlocal; ++i) {
-    const auto record = stored.records.find(ids_[i]);
-    unchanged = record.values && ids_[i] == atom->tag[i];
-    if (!unchanged) break;
-    const std::vector<double> values = StoredHistories(fix).of(i);
-    unchanged =
-        std::equal(values.begin(), values.end(), record.values, record.values + record.count);
-  }
-  return !on_any_rank(!unchanged, world);
+  begin_storage();  // a command that writes a file calls this function before the next run does
 }
 
 bool HistoryKeeper::can_continue(const Stored& stored, const ContactLine& line,

@@ -3,10 +3,12 @@
 // Keeps contact histories that LIGGGHTS would lose, in three cases:
 //
 // - Between two runs. LIGGGHTS finds the histories of pairs by particle indices and IDs, which
-//   commands may change (delete_atoms, create_atoms, displace_atoms, change_box). It also discards
-//   the histories of a line that is given again. This fix stores the histories at the end of a run,
-//   and restores them in the next setup if the line has the same law with the same options. The log
-//   reports contacts that start without history, or continue with other constants.
+//   commands may change (delete_atoms, create_atoms, displace_atoms, change_box). At the end of a
+//   run, this fix therefore lets LIGGGHTS store the histories by particle. In the next setup, it
+//   replaces the IDs. LIGGGHTS also discards the histories of a line that is given again. This fix
+//   copies them first (kept_fixes.h), and restores them in the next setup if the line has the same
+//   law with the same options. The log reports contacts that start without history, or continue
+//   with other constants.
 // - In restart files. LIGGGHTS stores the models of the contacts. This fix adds their settings.
 // - At a step of the `restart` command. LIGGGHTS stores the histories of pairs as they are at the
 //   beginning of the step. This fix stores them again at its end.
@@ -47,6 +49,9 @@ class HistoryKeeper : public PluginFix {
   // an empty string.
   std::string restarted_settings(const std::string& owner) const;
 
+  // Copies the histories of a fix of LIGGGHTS, which will be deleted.
+  void copy(LAMMPS_NS::Fix* fix);
+
   int setmask() override;
   void setup_pre_exchange() override;
   void setup(int) override { stored_.clear(); }
@@ -64,17 +69,18 @@ class HistoryKeeper : public PluginFix {
   double memory_usage() override { return ids_.size() * sizeof(int); }
 
  private:
-  // Copy of the histories that one fix of LIGGGHTS has at the end of a run.
+  // Histories of one fix of LIGGGHTS at the end of a run.
   struct Stored {
     std::string owner, models, fix;
     StoredHistories::Layout layout;
     std::uint64_t position;  // hash from wall_position(); 0 for pairs
+    bool is_copy;            // false: the fix has the histories; true: `records` has them
     ParticleRecords records;
   };
 
   ContactLines with_host_pair_style(const ContactLines& lines) const;
+  void begin_storage();
   void restore_lost_histories();
-  bool is_unchanged(const Stored& stored, LAMMPS_NS::Fix* fix) const;
   bool can_continue(const Stored& stored, const ContactLine& line, LAMMPS_NS::Fix* fix) const;
   bool any_history(const Stored& stored) const;
   bool any_history(const ContactLine& line) const;
@@ -89,7 +95,6 @@ class HistoryKeeper : public PluginFix {
   std::vector<Stored> stored_;  // histories kept between two runs
   std::vector<int> ids_;        // IDs of local particles at the end of the last run, 0 if new
   long particle_total_ = 0;     // number of particles on all ranks at the end of the last run
-  int page_ = 0, largest_list_ = 0;  // neigh_modify `page` and `one` at the end of the last run
 };
 
 }  // namespace plastigran

@@ -14,6 +14,7 @@
 #include "fix_wall_gran.h"
 #include "lammps.h"
 #include "liggghts/fixes/engine_access.h"
+#include "liggghts/fixes/private_member.h"
 #include "modify.h"
 #include "primitive_wall.h"
 #include "tri_mesh.h"
@@ -24,6 +25,9 @@ using LAMMPS_NS::FixContactHistory;
 using LAMMPS_NS::FixPropertyAtom;
 
 namespace {
+
+PRIVATE_MEMBER(PartnerCounts, FixContactHistory::npartner_);
+PRIVATE_MEMBER(PartnerIds, FixContactHistory::partner_);
 
 // Returns the double with the same bits as an integer, because LIGGGHTS stores integers in arrays
 // of doubles in this way.
@@ -84,6 +88,21 @@ std::vector<double> StoredHistories::of(int i) const {
     values.insert(values.end(), history, history + width());
   }
   return values;
+}
+
+void StoredHistories::rename(int count, const NewIds& ids) {
+  if (!of_pairs_) return;
+  FixContactHistory* const list = static_cast<FixContactHistory*>(fix_);
+  for (int i = 0; i < count; ++i) {
+    int* const partners = (list->*member_of(PartnerIds()))[i];
+    int kept = 0;
+    for (int k = 0; k < list->n_partner(i); ++k)
+      if (const int id = ids.of(partners[k])) {
+        partners[kept] = id;
+        std::copy_n(list->contacthistory(i, k), width(), list->contacthistory(i, kept++));
+      }
+    (list->*member_of(PartnerCounts()))[i] = kept;
+  }
 }
 
 void StoredHistories::set(int i, const double* values, int count, const NewIds& ids) {

@@ -43,6 +43,10 @@ class StoredHistories {
   std::size_t size_of(int i) const;
   std::vector<double> of(int i) const;
 
+  // Replaces the IDs of partners by their new IDs, and omits contacts with deleted partners, for
+  // `count` particles. Does nothing for walls.
+  void rename(int count, const NewIds& ids);
+
   // Sets the history values of a particle. Replaces the IDs of its partners by their new IDs, and
   // omits contacts with deleted partners.
   void set(int i, const double* values, int count, const NewIds& ids);

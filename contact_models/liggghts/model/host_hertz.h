@@ -60,8 +60,6 @@ class HostHertz : public LIGGGHTS::ContactModels::NormalModel<LIGGGHTS::ContactM
     line.models = "model hertz" + owner_.other_models();
     line.settings = text_;
     line.histories = owner_.histories();
-    line.is_new = !connected_;
-    connected_ = true;
     keeper.connect(owner_.name(), line);
     NormalModel::connectToProperties(registry);
     // Makes LIGGGHTS call surfacesClose() just outside of contact, which clears the history.
@@ -82,8 +80,7 @@ class HostHertz : public LIGGGHTS::ContactModels::NormalModel<LIGGGHTS::ContactM
   ContactOwner owner_;
   const std::string restarted_lines_;  // HistoryKeeper::restarted_lines() at construction
   Settings* being_read_ = nullptr;
-  std::string text_;        // settings as NAME WORD NAME WORD ...; empty before a line was read
-  bool connected_ = false;  // whether an earlier run has connected this line
+  std::string text_;  // settings as NAME WORD NAME WORD ...; empty before a line was read
 };
 
 }  // namespace plastigran

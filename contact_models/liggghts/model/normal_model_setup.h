@@ -152,7 +152,6 @@ class NormalModelSetup : public NormalModelBase {
     line.histories = owner_.histories();
     if (!Law::state_names.empty())
       line.constants = constants(caller() + (owner_.is_wall() ? ", wall" : ""), "");
-    line.is_new = !reported_;
     if (!reported_) line.report = constants(caller(), " (default)");
     keeper.connect(owner_.name(), line);
   }

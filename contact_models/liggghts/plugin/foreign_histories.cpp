@@ -6,12 +6,15 @@
 
 #include "comm.h"
 #include "contact_models.h"
+#include "fix_contact_history_mesh.h"
 #include "fix_mesh_surface.h"
+#include "fix_property_atom.h"
 #include "fix_wall_gran.h"
 #include "force.h"
 #include "lammps.h"
 #include "liggghts/fixes/engine_access.h"
 #include "liggghts/fixes/history_keeper.h"
+#include "liggghts/fixes/kept_fixes.h"
 #include "liggghts/fixes/messages.h"
 #include "liggghts/model/companions.h"
 #include "liggghts/model/contact_owner.h"
@@ -24,13 +27,6 @@ using LAMMPS_NS::FixWallGran;
 using LAMMPS_NS::LAMMPS;
 
 namespace {
-
-// A fix style in which LIGGGHTS stores the contact histories of pairs, meshes or primitive walls.
-struct HistoryStyle {
-  const char* style;
-  FixCreator creator;
-} styles[] = {
-    {"contacthistory", nullptr}, {"contacthistory/mesh", nullptr}, {"property/atom", nullptr}};
 
 // Pair style or wall whose histories a fix stores.
 struct Owner {
@@ -102,23 +98,21 @@ void discard_if_foreign(LAMMPS* engine, const std::string& fix_id, const std::st
                     "loading to their current overlap, without tangential springs\n");
 }
 
+template <class Fix>
 LAMMPS_NS::Fix* make_history(LAMMPS* engine, int count, char** words) {
-  const std::string style = words[2];
-  discard_if_foreign(engine, words[0], style);
-  for (const HistoryStyle& history : styles)
-    if (style == history.style) return history.creator(engine, count, words);
-  return nullptr;
+  discard_if_foreign(engine, words[0], words[2]);
+  return new Fix(engine, count, words);
 }
 
 }  // namespace
 
-void discard_foreign_histories(LAMMPS* engine) {
-  for (HistoryStyle& history : styles) {
-    const FixCreator creator = fix_creator(engine->modify, history.style);
-    if (!creator || creator == make_history) continue;
-    history.creator = creator;
-    add_fix_style(engine->modify, history.style, make_history);
-  }
+void replace_history_fixes(LAMMPS* engine) {
+  LAMMPS_NS::Modify* const modify = engine->modify;
+  add_fix_style(modify, "contacthistory", make_history<PairHistories>);
+  add_fix_style(modify, "contacthistory/mesh",
+                make_history<KeptFix<LAMMPS_NS::FixContactHistoryMesh>>);
+  // LIGGGHTS stores the histories of primitive walls in this style.
+  add_fix_style(modify, "property/atom", make_history<KeptFix<LAMMPS_NS::FixPropertyAtom>>);
 }
 
 }  // namespace plastigran

@@ -155,7 +155,7 @@ const bool registered = [] {
 template <>
 RegisteredLaw::Model make_model(LAMMPS_NS::LAMMPS* engine, ContactSetup& setup,
                                 ContactModelBase* contact_model) {
-  discard_foreign_histories(engine);
+  replace_history_fixes(engine);
   add_style<DissipationHeat>(engine->modify);
   add_style<CollisionSpectra>(engine->modify);
   return law_of(setup.hash()).make(engine, setup, contact_model);
