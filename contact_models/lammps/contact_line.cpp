@@ -57,6 +57,9 @@ bool is_restitution(const std::vector<std::string>& models) {
 
 // Reads the tangential law of a line. Replaces its words by those of LAMMPS' model `mindlin`.
 Complaint read_tangential(std::vector<std::string>& models, TangentialLine& line) {
+  for (const char* const word : {"tangential", "rings"})
+    if (std::count(models.begin(), models.end(), word) > 1)
+      return Complaint('`' + std::string(word) + "` is given twice; give it once");
   const auto at = std::find(models.begin(), models.end(), "tangential");
   if (models.end() - at < 2) return {};
   const std::string name = at[1];

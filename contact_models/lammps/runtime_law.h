@@ -228,8 +228,6 @@ std::shared_ptr<const RuntimeLaw> make_runtime_law(const ContactLine& line, cons
     if (complaint.empty()) complaint = validate(*body);
   const MaterialPair bodies = combine(one, other);
   if (complaint.empty()) complaint = validate<Law>(bodies, constants);
-  if (complaint.empty() && can_stretch<Law> && yields<Law> && bodies.rate_coefficient > 0)
-    complaint = Complaint("{rate_coefficient} is not supported with adhesion; remove it");
   if (!complaint.empty()) return nullptr;
   return std::make_shared<RuntimeLawOf<Law>>(bodies, constants);
 }

@@ -43,6 +43,8 @@ def script(lines: str) -> str:
         ),
         (f"{PLAIN} tangential partial_slip", "give the coefficient of friction, 0 or more"),
         (f"{PLAIN} tangential partial_slip 0.5 rings 9", "rings is `9`; it must be a whole number"),
+        (f"{PLAIN} tangential partial_slip 0.5 rings 8 rings 3", "`rings` is given twice"),
+        (f"{PLAIN} {FRICTION} tangential incremental 0.5", "`tangential` is given twice"),
         (
             f"{PLAIN} tangential incremental 0.5 twisting marshall",
             "`twisting marshall` needs a tangential model of LAMMPS; choose `twisting sds`",
@@ -87,7 +89,7 @@ def script(lines: str) -> str:
         ("pair_style granular/plastigran 1 2", "unknown word 2; give at most a cutoff"),
         (
             line(f"thornton {BODY} rate_coefficient 0.01 surface_energy 0.1 adhesion jkr"),
-            "rate_coefficient is not supported with adhesion; remove it",
+            "rate_coefficient is not supported with adhesion. Remove it, or set it to 0",
         ),
         (
             f"{GOOD}run 0\npair_coeff * * universal {BODY} {FRICTION}",

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "plastigran/friction/partial_slip.h"
+
 namespace plastigran {
 
 struct Companion {
@@ -30,7 +32,8 @@ const std::array<CompanionKind, 4>& companion_kinds();
 inline int model_of(std::int64_t hash, std::size_t place) { return hash >> 6 * place & 63; }
 
 // Number of rings of `tangential partial_slip`.
-constexpr int least_rings = 2, default_rings = 4, most_rings = 8;
+constexpr int least_rings = PartialSlip<>::least_rings,
+              default_rings = PartialSlip<>::default_rings, most_rings = PartialSlip<>::most_rings;
 
 // Bit 30 of the hash, the first after the five places. It marks a law with the option
 // `adhesion jkr`. Restart files contain the hash, so the contact history has the same values after

@@ -171,8 +171,6 @@ class NormalModelSetup : public NormalModelBase {
   // Makes LIGGGHTS call surfacesClose() up to twice the distance at which adhesion can keep two
   // bodies in contact. A contact then breaks before LIGGGHTS stops calling this function for it.
   void extend_contacts() {
-    if (pairs_.rate_matters())
-      fail("rateCoefficient is not supported with adhesion. Remove the property");
     const plastigran::RadiusRange radii = plastigran::radius_range(lmp);
     const double bodies = owner_.is_wall() ? 1 : 2, smallest = radii.smallest;
     // R* of two equal particles is half their radius. The factor 1 - 1e-9 allows for round-off.

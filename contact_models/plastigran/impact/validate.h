@@ -7,6 +7,7 @@
 #include <sstream>
 #include <string>
 
+#include "plastigran/shared/adhesion.h"
 #include "plastigran/shared/complaint.h"
 #include "plastigran/shared/contact.h"
 
@@ -88,6 +89,8 @@ Complaint validate(const MaterialPair& pair, const typename Law::Parameters& con
     return Complaint(
         "{yield_strength} is missing. At least one of the bodies needs it, positive and finite "
         "[Pa]");
+  if (yields<Law> && can_stretch<Law> && pair.rate_coefficient > 0)
+    return Complaint("{rate_coefficient} is not supported with adhesion. Remove it, or set it to 0");
   const typename Law::Parameters defaults;
   for (const auto& parameter : parameters_of<Law>) {
     const double value = constants.*parameter.value;

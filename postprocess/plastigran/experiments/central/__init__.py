@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import isfinite, isnan, nan, pi
+from math import isfinite, nan, pi
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar
 
@@ -130,7 +130,6 @@ class CentralImpact(Experiment):
                 f"law {self.law} needs surface_energy, which material {self.material.name} does "
                 "not define. Give surface_energy, add it to the material, or use another law"
             )
-        self._check_rate()
         if self.host == "lammps" and self.geometry not in in_lammps.GEOMETRIES:
             raise ValueError(
                 f"geometry is {self.geometry}; in LAMMPS, it must be one of: "
@@ -145,19 +144,6 @@ class CentralImpact(Experiment):
             self.overlap_ratio_max,
             "effective radii",
         )
-
-    def _check_rate(self) -> None:
-        """Reject a rate coefficient with adhesion, which both hosts refuse."""
-        if isnan(self.work_of_adhesion) or not laws.LAWS[self.law].yields:
-            return
-        for material in filter(None, (self.material, self.wall)):
-            if material.rate_coefficient:
-                raise ValueError(
-                    f"rate_coefficient of material {material.name} is "
-                    f"{material.rate_coefficient:g}, but {self.law} with adhesion does not support "
-                    "it. Use a material without rate_coefficient, for example from `plastigran "
-                    "calibrate --rate-coefficient 0`"
-                )
 
     @property
     def bodies(self) -> int:
