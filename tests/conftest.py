@@ -48,8 +48,8 @@ settings.load_profile("test")
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    # Ranks that wait leave the core to other tests. MPICH, of LAMMPS, waits without a pause in its
-    # collective operations for shared memory.
+    # Ranks that wait leave the core to other tests. LAMMPS uses MPICH, whose collective operations
+    # for shared memory wait without calling sched_yield. The last variable switches them off.
     os.environ.setdefault("OMPI_MCA_mpi_yield_when_idle", "1")
     os.environ.setdefault("MPIR_CVAR_POLLS_BEFORE_YIELD", "1")
     os.environ.setdefault("MPIR_CVAR_DEVICE_COLLECTIVES", "none")

@@ -101,7 +101,7 @@ def test_a_rate_coefficient_is_refused_with_adhesion(call, mode, tmp_path, capsy
     (tmp_path / "powder.in").write_text(POWDER)
     rated = tmp_path / "rated.in"
     rated.write_text(POWDER + "variable rate_coefficient index 0.02\n")
-    message = "{}: rate_coefficient is not supported with adhesion. Remove it, or set it to 0"
+    message = "{}: rate_coefficient is 0.02; it must be 0 with adhesion"
     line = ["--surface-energy", "0.1", "--speed", "1", mode]
     for law in ("universal", "thornton_ning_1998"):
         assert main([*call, "--law", law, "--wall", str(rated), *line]) == 1

@@ -89,7 +89,7 @@ def script(lines: str) -> str:
         ("pair_style granular/plastigran 1 2", "unknown word 2; give at most a cutoff"),
         (
             line(f"thornton {BODY} rate_coefficient 0.01 surface_energy 0.1 adhesion jkr"),
-            "rate_coefficient is not supported with adhesion. Remove it, or set it to 0",
+            "rate_coefficient is 0.01; it must be 0 with adhesion",
         ),
         (
             f"{GOOD}run 0\npair_coeff * * universal {BODY} {FRICTION}",

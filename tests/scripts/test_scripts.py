@@ -220,7 +220,8 @@ def test_reliability(part, tmp_path, monkeypatch):
     killing = sys.modules["reliability_kills"]
     few = {"duration": "6", "rows": "48", "checkpoints": "24", "mixing": "0.2"}
     monkeypatch.setattr(killing, "SMALL", killing.SMALL | few)
-    # The script kills a run about a dozen times; here, once, after 60 % of its steps.
+    # The script kills a run about a dozen times, each after at most 15 % of its steps. Here, it
+    # kills the run once, after 60 % of its steps.
     monkeypatch.setattr(killing, "random", SimpleNamespace(uniform=lambda low, high: 4 * high))
     script.PAGE.write_text(page.read_text())
     monkeypatch.setattr(sys, "argv", ["reliability.py", part, "--count", "2"])

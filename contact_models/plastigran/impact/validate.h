@@ -90,7 +90,7 @@ Complaint validate(const MaterialPair& pair, const typename Law::Parameters& con
         "{yield_strength} is missing. At least one of the bodies needs it, positive and finite "
         "[Pa]");
   if (yields<Law> && can_stretch<Law> && pair.rate_coefficient > 0)
-    return Complaint("{rate_coefficient} is not supported with adhesion. Remove it, or set it to 0");
+    return Complaint::about("rate_coefficient", pair.rate_coefficient, "0 with adhesion");
   const typename Law::Parameters defaults;
   for (const auto& parameter : parameters_of<Law>) {
     const double value = constants.*parameter.value;

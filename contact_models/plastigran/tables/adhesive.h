@@ -41,11 +41,11 @@ constexpr bool takes_adhesion = false;
 template <class Law>
 constexpr bool takes_adhesion<Law, std::void_t<decltype(&Law::Rebound::energy_at)>> = true;
 
-// Whether a law after first loading has closed formulas, which take less time than a table.
+// Whether after_loading() of a law is a formula that is faster than a table.
 template <class Law, class = void>
-constexpr bool closed_form = false;
+constexpr bool has_closed_form = false;
 template <class Law>
-constexpr bool closed_form<Law, std::void_t<decltype(Law::closed_form)>> = Law::closed_form;
+constexpr bool has_closed_form<Law, std::void_t<decltype(Law::closed_form)>> = Law::closed_form;
 
 template <class Law>
 class Adhesive {
@@ -80,9 +80,11 @@ class Adhesive {
         elastic_range_(law_.elastic_range()),
         yield_radius_ratio_(std::sqrt(elastic_range_)),
         onset_(0.5 * contact_.pull() / std::pow(elastic_range_, 0.75)),
-        work_(law_),
-        loaded_(
-            1, [this](double x) { return loaded(x); }, kinks_of(law_)) {}
+        work_(law_) {
+    if constexpr (!has_closed_form<Law>)
+      loaded_ = Tabulated<quantities>(
+          1, [this](double x) { return loaded(x); }, kinks_of(law_));
+  }
 
   double overlap_range() const { return plastigran::overlap_range(law_); }
   double pull_off_distance(double radius_eff) const {
@@ -217,7 +219,9 @@ class Adhesive {
   PLASTIGRAN_DEVICE Peak peak_of(double radius_eff, const State& state, double pull) const {
     const double unit = overlap_y(radius_eff, state), per_unit = 1 / unit;
     const double x = state.overlap_max * per_unit;
-    const Values at = closed_form<Law> ? loaded(x) : loaded_.covers(x) ? loaded_(x) : computed(x);
+    const Values at = has_closed_form<Law> ? loaded(x)
+                      : loaded_.covers(x)  ? loaded_(x)
+                                           : computed(x);
     const double radius_y = yield_radius(radius_eff, state);
     double shape_at_x = Rebound::usual_shape;
     if constexpr (Rebound::has_shape) shape_at_x = at[shape];
@@ -262,8 +266,8 @@ class Adhesive {
     }
   }
   // Solves the equation of point() for y by Newton's method. For weak adhesion, the equation is
-  // nearly linear in y. The start value is a series, valid for a slope that is a power of y. Its
-  // last term is that of a Hertz contact.
+  // nearly linear in y. The start value is a series, valid for a slope that is a power of y. The
+  // last term of the series is exact only for a Hertz contact.
   PLASTIGRAN_DEVICE Point point_of_any_shape(const Peak& peak, double b, double beyond) const {
     const double start = std::sqrt(beyond);
     ShapeOfUnloading at = work_.rebound().shape_at(start, peak.shape);
@@ -345,7 +349,7 @@ class Adhesive {
   double yield_radius_ratio_;  // a_y/R*
   double onset_;               // b R*^(1/2) [m^(1/2)]
   WorkOfLoading<Law> work_;
-  Tabulated<quantities> loaded_;
+  Tabulated<quantities> loaded_;  // empty if `has_closed_form`
 };
 
 }  // namespace plastigran

@@ -42,7 +42,7 @@ auto kinks_of([[maybe_unused]] const Law& law) {
 
 // Values of a law after first loading to x, without the factor 1 + B eta.
 struct AfterLoading {
-  double force, slope, contact_radius, recovery, shape, energy;
+  double force, slope, energy;
 };
 
 // The functions take the law as an argument instead of storing a pointer, so that the object can be
@@ -66,9 +66,8 @@ class WorkOfLoading {
   PLASTIGRAN_DEVICE AfterLoading after_loading(const Law& law, double x) const {
     const auto at = law.after_loading(x);
     const double recovery = 1 / at.inverse_recovery;
-    return {at.force,          Rebound::largest_slope(at.shape) * at.force / recovery,
-            at.contact_radius, recovery,
-            at.shape,          at.force * recovery * rebound_.energy_at(1, at.shape)};
+    return {at.force, Rebound::largest_slope(at.shape) * at.force / recovery,
+            at.force * recovery * rebound_.energy_at(1, at.shape)};
   }
 
   // Returns the work of first loading to x, divided by F_y overlap_y.

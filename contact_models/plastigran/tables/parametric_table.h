@@ -27,6 +27,7 @@ namespace plastigran {
 // Unloading for adhesive.h: Hertz unloading, except that the plastic part of the contact radius
 // stays constant. `shape` is the elastic fraction of the largest contact radius.
 struct PlasticRadiusStays : PowerOfOverlap<void> {
+  static_assert(is_hertzian);  // otherwise shape_at() would take `shape` as an exponent
   static constexpr bool has_shape = true;
 
   PLASTIGRAN_DEVICE static double largest_slope(double) { return usual_shape; }
