@@ -16,8 +16,9 @@ from plastigran.cli.arguments import (
 )
 from plastigran.engine.checkpoints import newest_checkpoint
 from plastigran.engine.deck import deck_name, deck_names
-from plastigran.engine.log import LOGS, find_warnings, log_path
+from plastigran.engine.log import find_warnings, log_path
 from plastigran.engine.process import EngineError, EngineStopped
+from plastigran.engine.versions import HOSTS
 
 if TYPE_CHECKING:
     from plastigran.bulk.outcome import BulkRun
@@ -46,7 +47,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
     )
     command.add_argument(
         "--host",
-        choices=list(LOGS),
+        choices=list(HOSTS),
         help="program that runs the deck, default liggghts; DIR's program with --restart DIR",
     )
     command.add_argument(

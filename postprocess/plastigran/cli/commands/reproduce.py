@@ -8,7 +8,7 @@ from pathlib import Path
 
 from plastigran.cli.arguments import positive_integer
 from plastigran.cli.reports import add_evidence_arguments, run_evidence
-from plastigran.engine.log import LOGS
+from plastigran.engine.versions import HOSTS
 from plastigran.papers import find_paper, paper_names
 
 HELP = "reproduce tables and figures of a paper by finite elements, laws, LIGGGHTS and LAMMPS"
@@ -30,7 +30,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
     )
     bulk.add_argument(
         "--host",
-        choices=list(LOGS),
+        choices=list(HOSTS),
         help="program that runs the decks, default liggghts; lammps needs --case impact",
     )
     bulk.add_argument("--grains", type=positive_integer, help="number of grains (only impact)")
