@@ -23,7 +23,7 @@ EIGHT_CODES_BED = 25000
 #: Numbers of grains of the published beds.
 PUBLISHED_BEDS = (25000, 50000, 100000)
 #: Number of random beds, by number of grains and label of `CONTACTS`.
-BEDS = {25000: {"hertz": 2, "thornton": 1}}
+BEDS = {25000: {"hertz": 5, "thornton": 1}}
 #: Settings of all runs. The ball flies freely before the end. The time step is twice as long as in
 #: the paper.
 FULL = {"timestep": 1e-6, "duration": 0.05, "rows": 100}
@@ -77,21 +77,22 @@ def compute(
 def displacement_at(time: float, run: BulkRun) -> float:
     """Return the displacement of the ball [m].
 
-    After the end of a run, a ball above the bed flies freely if it still moves upward at `time`.
-    For another ball, the displacement is NaN.
+    If the ball flies freely at the end of the run, and still moves upward at `time`, its further
+    motion follows from gravity. For another ball, the displacement is NaN.
 
     Args:
         time: Time [s].
         run: Run of the deck.
     """
     series, deck = run.series, run.deck
-    last = series.iloc[-1]
+    before, last = series.iloc[-2], series.iloc[-1]
     later = time - last["time"]
     if later <= 1e-12:
         return float(np.interp(time, series["time"], series["displacement"]))
     gravity = deck.gravitational_acceleration
-    above_bed = last["ball"] > deck.bed_height + deck.ball_radius
-    if not above_bed or last["velocity"] <= gravity * later:
+    falling = gravity * (last["time"] - before["time"])
+    flies = np.isclose(before["velocity"] - last["velocity"], falling, rtol=1e-3)
+    if not flies or last["velocity"] <= gravity * later:
         return np.nan
     return last["displacement"] + last["velocity"] * later - gravity * later**2 / 2
 
