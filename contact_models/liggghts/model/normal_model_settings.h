@@ -60,6 +60,10 @@ class NormalModelSettings {
               "Only the dashpot of `viscous_damping on` uses it\n";
     if (!hardens<Law> && deck.given("tangent_modulus"))
       text += caller + ": tangentModulus is not used, because the law has no hardening\n";
+    if (!adhesive<Law> && deck.given("surface_energy"))
+      text += caller +
+              ": surfaceEnergy is not used, because the law has no adhesion. With most laws, the "
+              "option `adhesion jkr` at the end of each line adds adhesion\n";
     return text;
   }
 

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from math import pi
+from math import ceil, pi
 from pathlib import Path
 from typing import ClassVar
 
@@ -50,9 +50,11 @@ class BallImpact(GranularDeck):
     duration: float = number("duration of the run", "s", 0)
 
     def check(self) -> None:
-        """Check that the ball fits into the box and starts above the bed."""
+        """Check that the ball starts above a bed at least as high as a grain, and fits in."""
         for name in ("length", "width"):
             require(self, name, lower=2 * self.ball_radius)
+        fewest = ceil(2 * self.radius * self.grain_count / self.bed_height)
+        require(self, "grain_count", lower=fewest)
         require(self, "ball_height", lower=self.bed_height + self.ball_radius)
         GranularDeck.check(self)
 
@@ -103,8 +105,8 @@ class BallImpact(GranularDeck):
             *self.ledger_checks(series),
         ]
         results = {
-            "largest downward displacement of the ball, m": -series["displacement"][deepest],
-            "time of this displacement, s": time[deepest],
+            "displacement of the ball at its deepest point, m": series["displacement"][deepest],
+            "time of the deepest point, s": time[deepest],
             "final displacement of the ball, m": series["displacement"].iloc[-1],
         }
         figures = {
