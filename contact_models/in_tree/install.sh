@@ -32,12 +32,12 @@ trap 'rm -rf "$new"' EXIT
 cd "$models"
 # shellcheck disable=SC2046
 cp --parents -t "$new" $(find plastigran liggghts -name '*.h' ! -path '*/plugin/*') \
-  liggghts/plugin/any_model.h liggghts/plugin/engine_styles.h liggghts/plugin/foreign_histories.h \
+  liggghts/plugin/any_model.h liggghts/plugin/engine_styles.h liggghts/plugin/history_fixes.h \
   liggghts/plugin/registered.h
 find "$new" -name '*.h' -exec sed -i 's|^#include "|&../../|' {} +
 # shellcheck disable=SC2046
 cp -t "$new" $(find liggghts -name '*.cpp' ! -path '*/plugin/*') in_tree/require_version.cpp \
-  liggghts/plugin/any_model.cpp liggghts/plugin/foreign_histories.cpp \
+  liggghts/plugin/any_model.cpp liggghts/plugin/history_fixes.cpp \
   liggghts/plugin/host_hertz.cpp liggghts/plugin/registration.cpp
 
 # Generate one file per law and one per combination with other models, as plugin/CMakeLists.txt

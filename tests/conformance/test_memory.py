@@ -93,6 +93,38 @@ def run_with(
     return scene(law).run(deck, folder, commands=folder / "commands.in", **variables)
 
 
+@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("wall", ["plane", "mesh"])
+def test_memory_outlives_a_restart_file_without_the_lines(wall, ranks, tmp_path):
+    """A deck may write a restart file while the lines of the contacts are missing, and delete
+    particles before and after it.
+    """
+    commands = (
+        "pair_style gran model hertz tangential history; pair_coeff * *; unfix wall; "
+        "delete_atoms group first compress yes; write_restart ${output}/middle.restart; "
+        "delete_atoms group third compress yes; "
+        "pair_style gran model ${law} tangential history; pair_coeff * *; "
+        "include ${decks}/held_${wall}.in"
+    )
+    run_with(commands, "thornton", tmp_path, ranks=ranks, grid=f"{ranks} 1", wall=wall)
+    assert_held(held_forces(tmp_path), ("held",) * 3)
+
+
+def test_memory_of_hertz_outlives_what_decks_do_between_runs(tmp_path):
+    """The pair_style line has LIGGGHTS' own model. The wall has a law, but only in later runs."""
+    commands = (
+        "unfix wall; "
+        "fix wall all wall/gran model thornton tangential history primitive type 2 xplane -0.45; "
+        "run 1; neigh_modify one 3000 page 300000; delete_atoms group first compress yes; run 1; "
+        "pair_style gran model hertz tangential history; pair_coeff * *; "
+        "delete_atoms group third compress yes"
+    )
+    (tmp_path / "commands.in").write_text(commands.replace("; ", "\n") + "\n")
+    case = {"law": "hertz", "commands": tmp_path / "commands.in"}
+    scene("thornton").run("held_commands", tmp_path, **case)
+    assert_held(held_forces(tmp_path)[:, 1:], ("held",) * 5)
+
+
 OTHER_LINES = {
     "pair_style": (
         "pair_style gran model stronge tangential history unloading original_radius; "

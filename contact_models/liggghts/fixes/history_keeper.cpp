@@ -2,12 +2,14 @@
 #include "liggghts/fixes/history_keeper.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "atom.h"
 #include "comm.h"
 #include "force.h"
 #include "liggghts/fixes/engine_access.h"
+#include "liggghts/fixes/kept_fixes.h"
 #include "liggghts/fixes/messages.h"
 #include "liggghts/fixes/ranks.h"
 #include "output.h"
@@ -103,18 +105,20 @@ void HistoryKeeper::post_run() {
   begin_storage();
 }
 
-// Begins to keep the histories that the fixes of LIGGGHTS have now.
+// Begins to keep the histories that the fixes of LIGGGHTS have now. Copies the histories of a fix
+// that LIGGGHTS created before the first line with a law.
 void HistoryKeeper::begin_storage() {
   stored_.clear();
+  std::copy_n(atom->tag, atom->nlocal, ids_.begin());
+  particle_total_ = sum_over_ranks(static_cast<long>(atom->nlocal), world);
   for (const auto& [owner, line] : with_host_pair_style(lines_))
     for (const std::string& id : line.histories) {
       LAMMPS_NS::Fix* const fix = modify->find_fix_id(id.c_str());
       if (!fix) continue;
       const StoredHistories::Layout layout = StoredHistories(fix).layout();
       stored_.push_back({owner, line.models, id, layout, wall_position(lmp, fix), false, {}});
+      if (!dynamic_cast<AnyKeptFix*>(fix)) copy(fix);
     }
-  std::copy_n(atom->tag, atom->nlocal, ids_.begin());
-  particle_total_ = sum_over_ranks(static_cast<long>(atom->nlocal), world);
 }
 
 void HistoryKeeper::copy(LAMMPS_NS::Fix* fix) {
@@ -149,32 +153,41 @@ void HistoryKeeper::setup_pre_exchange() {
   warn_of_new_constants(former);
 }
 
+// `write_restart` and `write_data` also call setup_pre_exchange(). The next run must still find the
+// histories, also those of a line that is missing when the file is written.
 void HistoryKeeper::restore_lost_histories() {
   const NewIds new_ids(ids_.data(), atom->tag, atom->nlocal, particle_total_, world);
   const ContactLines lines = with_host_pair_style(lines_);
+  std::vector<Stored> not_restored;
   for (Stored& stored : stored_) {
     LAMMPS_NS::Fix* const fix = modify->find_fix_id(stored.fix.c_str());
     if (!stored.is_copy) {
-      if (fix && !new_ids.unchanged()) StoredHistories(fix).rename(atom->nlocal, new_ids);
+      if (fix && !new_ids.unchanged())
+        StoredHistories(fix).replace_partner_ids(atom->nlocal, new_ids);
       continue;
     }
-    stored.records.fetch(ids_.data(), atom->nlocal, world);
+    if (!new_ids.unchanged())
+      stored.records.replace_ids(new_ids, [&](double* values, int count) {
+        return stored.layout.replace_partner_ids(values, count, new_ids);
+      });
+    stored.records.fetch(atom->tag, atom->nlocal, world);
     const auto entry = lines.find(stored.owner);
-    if (entry == lines.end()) continue;
-    const ContactLine& line = entry->second;
-    if (fix && can_continue(stored, line, fix)) {
+    if (entry != lines.end() && fix && can_continue(stored, entry->second, fix)) {
       fix->just_created = 0;  // LIGGGHTS clears fixes with just_created at the beginning of the run
-      restore(stored, fix, new_ids);
-    } else if (any_history(stored)) {
+      restore(stored, fix);
+      continue;
+    }
+    if (entry != lines.end() && any_history(stored))
       warn_on_first_rank(stored.owner + ": contacts start without history, because " +
-                         (stored.models == line.models
+                         (stored.models == entry->second.models
                               ? "the position of the wall changed"
                               : "the models of these contacts changed from `" + stored.models +
-                                    "` to `" + line.models +
+                                    "` to `" + entry->second.models +
                                     "`. Repeat the earlier line to keep the " + "histories"));
-    }
+    not_restored.push_back(std::move(stored));
   }
-  begin_storage();  // a command that writes a file calls this function before the next run does
+  begin_storage();
+  std::move(not_restored.begin(), not_restored.end(), std::back_inserter(stored_));
 }
 
 bool HistoryKeeper::can_continue(const Stored& stored, const ContactLine& line,
@@ -187,7 +200,7 @@ bool HistoryKeeper::can_continue(const Stored& stored, const ContactLine& line,
 bool HistoryKeeper::any_history(const Stored& stored) const {
   bool any = false;
   for (int i = 0; i < atom->nlocal && !any; ++i) {
-    const auto record = stored.records.find(ids_[i]);
+    const auto record = stored.records.find(atom->tag[i]);
     any = record.values && stored.layout.any(record.values, record.count);
   }
   return on_any_rank(any, world);
@@ -204,11 +217,10 @@ bool HistoryKeeper::any_history(const ContactLine& line) const {
   return on_any_rank(any, world);
 }
 
-void HistoryKeeper::restore(const Stored& stored, LAMMPS_NS::Fix* fix,
-                            const NewIds& new_ids) const {
+void HistoryKeeper::restore(const Stored& stored, LAMMPS_NS::Fix* fix) const {
   for (int i = 0; i < atom->nlocal; ++i)
-    if (const auto record = stored.records.find(ids_[i]); record.values)
-      StoredHistories(fix).set(i, record.values, record.count, new_ids);
+    if (const auto record = stored.records.find(atom->tag[i]); record.values)
+      StoredHistories(fix).set(i, record.values, record.count);
     else
       StoredHistories(fix).clear(i);
 }

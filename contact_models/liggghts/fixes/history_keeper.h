@@ -4,11 +4,11 @@
 //
 // - Between two runs. LIGGGHTS finds the histories of pairs by particle indices and IDs, which
 //   commands may change (delete_atoms, create_atoms, displace_atoms, change_box). At the end of a
-//   run, this fix therefore lets LIGGGHTS store the histories by particle. In the next setup, it
-//   replaces the IDs. LIGGGHTS also discards the histories of a line that is given again. This fix
-//   copies them first (kept_fixes.h), and restores them in the next setup if the line has the same
-//   law with the same options. The log reports contacts that start without history, or continue
-//   with other constants.
+//   run, this fix therefore lets LIGGGHTS store the histories by particle. In the next setup, this
+//   fix replaces partner IDs that have changed. LIGGGHTS also discards the histories of a line that
+//   is given again. This fix copies them first (kept_fixes.h), and restores them in the next setup
+//   if the line has the same law with the same options. The log reports contacts that start without
+//   history, or continue with other constants.
 // - In restart files. LIGGGHTS stores the models of the contacts. This fix adds their settings.
 // - At a step of the `restart` command. LIGGGHTS stores the histories of pairs as they are at the
 //   beginning of the step. This fix stores them again at its end.
@@ -49,7 +49,8 @@ class HistoryKeeper : public PluginFix {
   // an empty string.
   std::string restarted_settings(const std::string& owner) const;
 
-  // Copies the histories of a fix of LIGGGHTS, which will be deleted.
+  // Copies the histories of a fix before LIGGGHTS deletes it. Does nothing if the keeper has not
+  // stored this fix.
   void copy(LAMMPS_NS::Fix* fix);
 
   int setmask() override;
@@ -84,7 +85,7 @@ class HistoryKeeper : public PluginFix {
   bool can_continue(const Stored& stored, const ContactLine& line, LAMMPS_NS::Fix* fix) const;
   bool any_history(const Stored& stored) const;
   bool any_history(const ContactLine& line) const;
-  void restore(const Stored& stored, LAMMPS_NS::Fix* fix, const NewIds& new_ids) const;
+  void restore(const Stored& stored, LAMMPS_NS::Fix* fix) const;
   void clear_moved_walls(const ContactLines& restarted);
   void warn_of_new_constants(const ContactLines& former) const;
   void warn_on_first_rank(const std::string& text) const;

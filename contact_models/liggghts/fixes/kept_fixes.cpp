@@ -21,9 +21,9 @@ void PairHistories::allocate_pages() {
     int* const partners = ipage_->get(count);
     double* const values = dpage_->get(dnum_ * count);
     if (!partners || !values)
-      stop_from_rank(lmp,
-                     "neigh_modify: `one` is smaller than the number of contacts of a particle (" +
-                         std::to_string(count) + "). Increase it");
+      stop_from_rank(lmp, "neigh_modify: `one` is " + std::to_string(oneatom_) +
+                              ", but a particle has " + std::to_string(count) +
+                              " contacts. Set `one` to at least " + std::to_string(count));
     partner_[i] = std::copy_n(partner_[i], count, partners) - count;
     contacthistory_[i] = std::copy_n(contacthistory_[i], dnum_ * count, values) - dnum_ * count;
   }

@@ -10,15 +10,20 @@
 
 namespace plastigran {
 
-// Fix of the LIGGGHTS class `Base`. LIGGGHTS deletes it when the deck gives the line of its
-// contacts again.
+// Base class by which HistoryKeeper recognizes these fixes.
+struct AnyKeptFix {
+  virtual ~AnyKeptFix() = default;
+};
+
+// Fix of the LIGGGHTS class `Base`. LIGGGHTS deletes the fix if the deck repeats the `pair_style`
+// or wall line.
 template <class Base>
-class KeptFix : public Base {
+class KeptFix : public Base, public AnyKeptFix {
  public:
   using Base::Base;
-  void pre_delete(bool by_the_deck) override {
+  void pre_delete(bool is_unfixed) override {
     if (HistoryKeeper* const keeper = find_fix<HistoryKeeper>(this->lmp)) keeper->copy(this);
-    Base::pre_delete(by_the_deck);
+    Base::pre_delete(is_unfixed);
   }
 };
 
@@ -27,9 +32,9 @@ class PairHistories : public KeptFix<LAMMPS_NS::FixContactHistory> {
  public:
   using KeptFix::KeptFix;
 
-  // Copies the histories from the neighbor lists, unless they have been copied since the last
-  // forces. The command delete_atoms calls this function each time, although an earlier command may
-  // have changed the particle indices.
+  // Copies the histories from the neighbor lists, unless they were copied after the last force
+  // computation. The command delete_atoms calls this function each time, although an earlier
+  // command may have changed the particle indices.
   void pre_exchange() override {
     if (*computeflag_) FixContactHistory::pre_exchange();
   }

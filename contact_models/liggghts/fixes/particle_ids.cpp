@@ -32,7 +32,7 @@ void ParticleRecords::add(int id, const double* values, int count) {
 void ParticleRecords::fetch(const int* ids, int count, MPI_Comm ranks) {
   std::vector<int> missing;
   for (int i = 0; i < count; ++i)
-    if (ids[i] && !spans_.count(ids[i])) missing.push_back(ids[i]);
+    if (!spans_.count(ids[i])) missing.push_back(ids[i]);
   if (!on_any_rank(!missing.empty(), ranks)) return;
   std::vector<double> sent;  // for each record: ID, number of values, values
   for (const int id : gather_all(missing, ranks))

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace plastigran {
@@ -46,8 +47,16 @@ class ParticleRecords {
   void reserve(std::size_t particles, std::size_t values);
   void add(int id, const double* values, int count);
 
-  // Gets missing records of the particles `ids` from the ranks that have them; skips IDs of 0.
-  // Collective.
+  // Replaces the IDs of the particles, and omits deleted particles. Calls change(values, count) for
+  // the values of each particle; this function returns their new number, which must not be larger.
+  template <class Change>
+  void replace_ids(const NewIds& ids, Change change) {
+    for (const auto& [former, span] : std::exchange(spans_, {}))
+      if (const int id = ids.of(former))
+        spans_[id] = {span.begin, change(values_.data() + span.begin, span.count)};
+  }
+
+  // Gets missing records of the particles `ids` from the ranks that have them. Collective.
   void fetch(const int* ids, int count, MPI_Comm ranks);
 
   Record find(int id) const;

@@ -34,8 +34,8 @@ inline void require_setup(LAMMPS_NS::LAMMPS* engine, const char* id) {
 class PluginFix : public LAMMPS_NS::Fix {
  public:
   using Fix::Fix;
-  void pre_delete(bool by_the_deck) override {
-    if (by_the_deck) require_setup(lmp, id);
+  void pre_delete(bool is_unfixed) override {
+    if (is_unfixed) require_setup(lmp, id);
   }
 
  protected:

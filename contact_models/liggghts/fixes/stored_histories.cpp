@@ -90,7 +90,7 @@ std::vector<double> StoredHistories::of(int i) const {
   return values;
 }
 
-void StoredHistories::rename(int count, const NewIds& ids) {
+void StoredHistories::replace_partner_ids(int count, const NewIds& ids) {
   if (!of_pairs_) return;
   FixContactHistory* const list = static_cast<FixContactHistory*>(fix_);
   for (int i = 0; i < count; ++i) {
@@ -105,22 +105,11 @@ void StoredHistories::rename(int count, const NewIds& ids) {
   }
 }
 
-void StoredHistories::set(int i, const double* values, int count, const NewIds& ids) {
+void StoredHistories::set(int i, const double* values, int count) {
   std::vector<double> packed(values, values + count);
-  if (has_partners_) {
-    const int stride = 1 + width();
-    int partners = 0;
-    packed.resize(1);
-    for (const double* contact = values + 1; contact < values + count; contact += stride) {
-      const int before = static_cast<int>(*contact);
-      const int partner = of_pairs_ ? ids.of(before) : before;
-      if (of_pairs_ && !partner) continue;
-      packed.push_back(as_double(partner));
-      packed.insert(packed.end(), contact + 1, contact + stride);
-      ++partners;
-    }
-    packed[0] = as_double(partners);
-  }
+  if (has_partners_)
+    for (int k = 0; k < count; k += k ? 1 + width() : 1)
+      packed[k] = as_double(static_cast<std::int64_t>(packed[k]));
   fix_->unpack_exchange(i, packed.data());
 }
 
@@ -134,6 +123,19 @@ bool StoredHistories::Layout::any(const double* values, int count) const {
     if (std::any_of(values + k, values + k + width, [](double value) { return value != 0; }))
       return true;
   return false;
+}
+
+int StoredHistories::Layout::replace_partner_ids(double* values, int count,
+                                                 const NewIds& ids) const {
+  if (!has_particles) return count;
+  double* end = values + 1;
+  for (double* contact = values + 1; contact < values + count; contact += 1 + width)
+    if (const int id = ids.of(static_cast<int>(*contact))) {
+      *contact = id;
+      end = std::copy_n(contact, 1 + width, end);
+    }
+  values[0] = static_cast<double>((end - values - 1) / (1 + width));
+  return static_cast<int>(end - values);
 }
 
 std::uint64_t primitive_wall_position(LAMMPS_NS::LAMMPS* engine, const LAMMPS_NS::Fix* histories) {

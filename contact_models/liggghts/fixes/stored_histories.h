@@ -23,16 +23,20 @@ class StoredHistories {
   // contacts, and for each contact the ID of the partner and `width` values. Otherwise they are the
   // `width` values of one contact.
   struct Layout {
-    bool has_partners;
+    bool has_partners, has_particles;  // has_particles: the partners are particles
     int width;
 
     // Returns whether any history value differs from zero.
     bool any(const double* values, int count) const;
+
+    // For pairs: replaces the IDs of partners by their new IDs, and omits contacts with deleted
+    // partners. Returns the new number of values.
+    int replace_partner_ids(double* values, int count, const NewIds& ids) const;
   };
 
   explicit StoredHistories(LAMMPS_NS::Fix* fix);
 
-  Layout layout() const { return {has_partners_, width()}; }
+  Layout layout() const { return {has_partners_, of_pairs_, width()}; }
 
   // Copies the histories of pairs from the neighbor lists to the fix. Call it before the functions
   // below.
@@ -43,13 +47,12 @@ class StoredHistories {
   std::size_t size_of(int i) const;
   std::vector<double> of(int i) const;
 
-  // Replaces the IDs of partners by their new IDs, and omits contacts with deleted partners, for
-  // `count` particles. Does nothing for walls.
-  void rename(int count, const NewIds& ids);
+  // For pairs: replaces the IDs of partners of `count` particles by their new IDs, and omits
+  // contacts with deleted partners.
+  void replace_partner_ids(int count, const NewIds& ids);
 
-  // Sets the history values of a particle. Replaces the IDs of its partners by their new IDs, and
-  // omits contacts with deleted partners.
-  void set(int i, const double* values, int count, const NewIds& ids);
+  // Sets the history values of a particle.
+  void set(int i, const double* values, int count);
 
   void clear(int i);
 

@@ -27,8 +27,8 @@ class ParticlePlasticWork : public LAMMPS_NS::FixPropertyAtom {
     for (int i = 0; i < atom->nlocal && !recent_restart; ++i) set_arrays(i);
   }
 
-  void pre_delete(bool by_the_deck) override {
-    if (by_the_deck) require_setup(lmp, Fix::id);
+  void pre_delete(bool is_unfixed) override {
+    if (is_unfixed) require_setup(lmp, Fix::id);
   }
 };
 

@@ -13,7 +13,7 @@
 #include "liggghts/model/companions.h"
 #include "liggghts/model/contact_setup.h"
 #include "liggghts/plugin/any_model.h"
-#include "liggghts/plugin/foreign_histories.h"
+#include "liggghts/plugin/history_fixes.h"
 #include "liggghts/plugin/registered.h"
 #include "liggghts/spectra/collision_spectra.h"
 #include "liggghts/tangential/tangential_model.h"

@@ -13,7 +13,7 @@ class LAMMPS;
 namespace plastigran {
 
 // Replaces the functions with which LIGGGHTS creates fixes for contact histories. The new functions
-// check the restart file, and create fixes that keep their histories (kept_fixes.h).
+// check the restart file and create the fixes of kept_fixes.h.
 void replace_history_fixes(LAMMPS_NS::LAMMPS* engine);
 
 }  // namespace plastigran

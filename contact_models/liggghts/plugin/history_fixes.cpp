@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "liggghts/plugin/foreign_histories.h"
+#include "liggghts/plugin/history_fixes.h"
 
 #include <algorithm>
 #include <string>
