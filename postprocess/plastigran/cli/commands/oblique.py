@@ -142,6 +142,8 @@ def run(arguments: argparse.Namespace) -> None:
         units = {"angle": "°", "spin": "rad/s", "rebound_angle": "°", "friction_work": "J"}
         table = table.rename(columns={name: f"{name}, {unit}" for name, unit in units.items()})
         print(table.to_string(index=False, float_format="{:.4g}".format))
+        if arguments.figure is not None:
+            print(f"\nwritten: {arguments.figure}")
 
 
 def _draw(table: pd.DataFrame, path: Path) -> None:
