@@ -20,7 +20,7 @@ RATE = {"rate_coefficient": 0.02, "reference_rate": 1e-3}
 BODY = laws.Body(**ALUMINIUM, **RATE)
 PAIR = laws.combine(BODY, RIGID)
 OUTCOMES = ("coefficient_of_restitution", "force_max", "overlap_max", "overlap_res")
-YIELDING = sorted(name for name, law in laws.LAWS.items() if law.yields)
+YIELDING = sorted(name for name, law in laws.LAWS.items() if law.yields and not law.adhesive)
 
 
 def stronger(factor: float, **rate: float) -> laws.MaterialPair:

@@ -62,12 +62,15 @@ class RodMotion:
         return -self.half * np.cos(angle), -self.rod.tip_radius - self.half * np.sin(angle)
 
     def overlap(self, motion) -> float:
+        """Return the overlap of tip and flat [m]."""
         return self.half * (np.sin(self.lean + motion[2]) - sin(self.lean)) - motion[1]
 
     def slip_velocity(self, motion) -> float:
+        """Return the tangential velocity of the lowest point of the tip [m/s]."""
         return motion[3] - motion[5] * self.arm(motion)[1]
 
     def closing_velocity(self, _time, motion) -> float:
+        """Return the rate of the overlap [m/s]."""
         return -motion[4] - motion[5] * self.arm(motion)[0]
 
     def left(self, _time, motion) -> float:
@@ -75,6 +78,7 @@ class RodMotion:
         return self.overlap(motion) - self.overlap_res
 
     def contact(self, motion, state=None):
+        """Return the response of the law; `state` is the history that it changes, or a copy."""
         state = self.state.copy() if state is None else state
         return self.law.respond(self.rod.tip_radius, self.overlap(motion), state)
 
@@ -95,6 +99,7 @@ class RodMotion:
         return contact.force, min(max(friction, -limit), limit), 0.0
 
     def rate(self, _time, motion) -> list[float]:
+        """Return the rates of the variables."""
         force, friction, stretching = self.forces(motion)
         arm_x, arm_y = self.arm(motion)
         return [
@@ -116,6 +121,7 @@ class RodMotion:
         self.overlap_res = high if low > 0 else 0.0
 
     def history_row(self, time, motion) -> dict[str, float]:
+        """Return time, overlap and forces as a row of the history."""
         force, friction, _ = self.forces(motion)
         return {
             "time": time,
