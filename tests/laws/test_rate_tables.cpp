@@ -71,7 +71,7 @@ TEST_CASE_TEMPLATE("a pair without a rate coefficient has no tables, and answers
 // errors of up to 1e-3, and of up to 5e-3 for overlaps above 0.01 R*. The rate coefficient is the
 // largest of a metal in docs/rate_factor.md.
 TEST_CASE_TEMPLATE("a law at a rate factor is the law of the stronger bodies", Law, ALL_LAWS) {
-  if constexpr (yields<Law>) {
+  if constexpr (takes_rate_factor<Law>) {
     constexpr double coefficient = 0.025;
     constexpr bool interpolates = RateTables<Law>::interpolates;
     constexpr double allowed = interpolates ? 1e-3 : 1e-12;

@@ -89,7 +89,7 @@ Complaint validate(const MaterialPair& pair, const typename Law::Parameters& con
     return Complaint(
         "{yield_strength} is missing. At least one of the bodies needs it, positive and finite "
         "[Pa]");
-  if (yields<Law> && can_stretch<Law> && pair.rate_coefficient > 0)
+  if (yields<Law> && !takes_rate_factor<Law> && pair.rate_coefficient > 0)
     return Complaint::about("rate_coefficient", pair.rate_coefficient, "0 with adhesion");
   const typename Law::Parameters defaults;
   for (const auto& parameter : parameters_of<Law>) {

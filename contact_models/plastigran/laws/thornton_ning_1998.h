@@ -56,7 +56,7 @@ class ThorntonNing1998 {
         root_unit_(contact_.pull() * contact_.modulus() / pressure_),
         per_length_(contact_.pull() / (root_unit_ * root_unit_ * root_unit_)) {
     const auto in_units = [this](double x) {
-      const Yield yield = computed_yield(x / per_length_, pressure_);
+      const Yield yield = computed_yield(x / per_length_);
       return std::array{yield.root / root_unit_, yield.pressure / pressure_};
     };
     constexpr double guard_ends = 2.7;
@@ -75,15 +75,11 @@ class ThorntonNing1998 {
   }
   PLASTIGRAN_DEVICE double unloading_radius(double radius_eff, const State& state) const {  // R_p*
     if (state.contact_radius_max == 0) return radius_eff;
-    return flatten(radius_eff, yield_of(radius_eff, 1), std::sqrt(state.contact_radius_max)).radius;
+    return flatten(radius_eff, yield_of(radius_eff), std::sqrt(state.contact_radius_max)).radius;
   }
 
   PLASTIGRAN_DEVICE Response respond(double radius_eff, double overlap, State& state) const {
-    return respond_stronger(1, radius_eff, overlap, state);
-  }
-  PLASTIGRAN_DEVICE Response respond_stronger(double factor, double radius_eff, double overlap,
-                                              State& state) const {
-    const Yield yield = yield_of(radius_eff, factor);
+    const Yield yield = yield_of(radius_eff);
     const double reached = std::sqrt(state.contact_radius_max);
     Flattened flattened{radius_eff, 0};
     if (reached > 0) flattened = flatten(radius_eff, yield, reached);
@@ -116,21 +112,20 @@ class ThorntonNing1998 {
     double radius, overlap;  // R_p*, overlap_p
   };
 
-  // Returns s_y and pi p_y for a yield pressure multiplied by `factor`.
-  PLASTIGRAN_DEVICE Yield yield_of(double radius_eff, double factor) const {
-    const double x = radius_eff * per_length_ * (factor * factor * factor);
-    if (!yields_.covers(x)) return computed_yield(radius_eff, factor * pressure_);
+  // Returns s_y and pi p_y.
+  PLASTIGRAN_DEVICE Yield yield_of(double radius_eff) const {
+    const double x = radius_eff * per_length_;
+    if (!yields_.covers(x)) return computed_yield(radius_eff);
     const auto [root, pressure] = yields_(x);
-    return {root_unit_ / factor * root, factor * pressure_ * pressure};
+    return {root_unit_ * root, pressure_ * pressure};
   }
   // Returns s_y, the root of 2 s^3/R* - pi p_y/E* s - c = 0. If the energy guard is on and s_y is
   // too small, increases s_y and the pressure.
-  [[gnu::noinline, gnu::cold]] PLASTIGRAN_DEVICE Yield computed_yield(double radius_eff,
-                                                                      double pressure) const {
+  [[gnu::noinline, gnu::cold]] PLASTIGRAN_DEVICE Yield computed_yield(double radius_eff) const {
     const double half = 0.25 * contact_.pull() * radius_eff;
-    const double area = pressure * radius_eff / (2 * contact_.modulus()), scale = std::sqrt(area);
+    const double area = pressure_ * radius_eff / (2 * contact_.modulus()), scale = std::sqrt(area);
     double root = scale * root_at_yield(2 * half / (scale * area));
-    if (!guarded_ || root * root * root >= 5 * half) return {root, pressure};
+    if (!guarded_ || root * root * root >= 5 * half) return {root, pressure_};
     root = std::cbrt(5 * half);
     return {root, contact_.modulus() * 1.5 * contact_.pull() / root};
   }

@@ -26,6 +26,7 @@
 #include <vector>
 
 #include "plastigran/impact/central_impact.h"
+#include "plastigran/shared/adhesion.h"
 #include "plastigran/shared/contact.h"
 #include "plastigran/shared/device.h"
 #include "plastigran/shared/largest_overlap.h"
@@ -47,7 +48,8 @@ constexpr bool responds_stronger<Law, std::void_t<decltype(&Law::respond_stronge
 template <class Law>
 class RateTables {
  public:
-  static constexpr bool interpolates = yields<Law> && !self_similar<Law> && !responds_stronger<Law>;
+  static constexpr bool interpolates =
+      takes_rate_factor<Law> && !self_similar<Law> && !responds_stronger<Law>;
   static constexpr double largest_ratio = 1e9;  // largest rate/reference rate [-]
   // largest factor of a table; contacts with larger factors rescale the last table
   static constexpr double largest_factor = 2.5;

@@ -44,7 +44,7 @@ struct TypePair {
   // Calls `use` with the law at a rate factor and with its range; returns the result.
   template <class Use>
   decltype(auto) at_factor(double factor, const Use& use) const {
-    if constexpr (yields<Law>)
+    if constexpr (takes_rate_factor<Law>)
       if (factor != 1) {
         const LawAtFactor<Law> stronger(law, range, rates, factor);
         return use(stronger, stronger.overlap_range());

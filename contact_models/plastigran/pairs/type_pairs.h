@@ -110,7 +110,7 @@ class TypePairs {
   // Returns whether the yield strength of any pair depends on the strain rate.
   bool rate_matters() const {
     return std::any_of(pairs_.begin(), pairs_.end(), [](const auto& pair) {
-      return yields<Law> && pair->bodies.rate_coefficient > 0;
+      return takes_rate_factor<Law> && pair->bodies.rate_coefficient > 0;
     });
   }
 

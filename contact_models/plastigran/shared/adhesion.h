@@ -26,6 +26,10 @@ constexpr bool can_stretch = false;
 template <class Law>
 constexpr bool can_stretch<Law, std::void_t<decltype(&Law::pull_off_distance)>> = true;
 
+// Whether the yield strength of a law may depend on the strain rate (rate_factor.h).
+template <class Law>
+constexpr bool takes_rate_factor = yields<Law> && !can_stretch<Law>;
+
 // Returns the largest separation at which two bodies may still be in contact [m]; 0 for laws
 // without adhesion.
 template <class Law>

@@ -93,7 +93,7 @@ class Adhesive {
   // Returns the values of overlap/R* at which the force of first loading may jump.
   std::vector<double> overlap_breaks(double radius_eff) const {
     std::vector<double> all;
-    const double k = strength_factor(1, radius_eff);
+    const double k = strength_factor(radius_eff);
     if constexpr (energy_guarded<Law>)
       for (const double x : kinks_of(law_)) {
         const double without = x * k * k * elastic_range_;
@@ -120,14 +120,10 @@ class Adhesive {
   }
 
   PLASTIGRAN_DEVICE Response respond(double radius_eff, double overlap, State& state) const {
-    return respond_stronger(1, radius_eff, overlap, state);
-  }
-  PLASTIGRAN_DEVICE Response respond_stronger(double factor, double radius_eff, double overlap,
-                                              State& state) const {
     if (state.overlap_max == 0) {
       if (state.in_contact == 0) {
         if (!(overlap > 0)) return {};
-        state.strength_factor = strength_factor(factor, radius_eff);
+        state.strength_factor = strength_factor(radius_eff);
       } else if (!(overlap > 0) && !(overlap >= contact_.pull_off_overlap(radius_eff))) {
         state.in_contact = 0;
         return {};
@@ -176,12 +172,11 @@ class Adhesive {
   }
 
   // Returns k. The largest B that the work of loading allows sets its lower limit.
-  [[gnu::noinline, gnu::cold]] PLASTIGRAN_DEVICE double strength_factor(double factor,
-                                                                        double radius_eff) const {
-    const double b = onset_ / std::sqrt(radius_eff * factor * factor * factor);
+  [[gnu::noinline, gnu::cold]] PLASTIGRAN_DEVICE double strength_factor(double radius_eff) const {
+    const double b = onset_ / std::sqrt(radius_eff);
     const double q = root_at_yield(b);
     const double least = 2 * b / work_.largest_number();
-    return factor * std::max(q * q, std::cbrt(least * least));
+    return std::max(q * q, std::cbrt(least * least));
   }
 
   // Returns overlap_y of the law with k times its strength, for which F_k(R*, overlap) =
