@@ -254,8 +254,9 @@ class Contact:
         speeds, angles = np.broadcast_arrays(
             np.asarray(speeds, dtype=float), np.asarray(angles, dtype=float)
         )
-        if not ((angles >= 0) & (angles < 90)).all():
-            raise ValueError(f"angles are {angles}; they must be 0 or more and below 90 degrees")
+        wrong = angles[~((angles >= 0) & (angles < 90))]
+        if wrong.size:
+            raise ValueError(f"angle is {wrong[0]:g}; it must be 0 or more and below 90 degrees")
         closing = speeds * np.cos(np.radians(angles))
         outcome = self.impact(closing)
         self._warn("normal speed", "m/s", closing[~np.asarray(outcome.in_range)])

@@ -101,7 +101,7 @@ def test_bad_values_are_refused():
         contact(rings=9)
     with pytest.raises(ValueError, match="coefficient_of_friction is -1"):
         laws.Incremental(-1)
-    with pytest.raises(ValueError, match=r"angles are .* below 90 degrees"):
+    with pytest.raises(ValueError, match=r"angle is .* below 90 degrees"):
         contact().oblique_impact(1.0, 90)
     with pytest.raises(ValueError, match="state has the shape"):
         laws.Incremental(0.1).respond(1.0, 5.0, [0.0, 0.1], state=laws.Incremental(0.1).State())

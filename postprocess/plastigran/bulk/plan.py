@@ -61,6 +61,13 @@ class Plan:
         """Folder in which the host runs; relative paths of the deck start there."""
         return self.folder if self.deck_type else self.source.path.parent
 
+    @property
+    def writes_inputs(self) -> bool:
+        """Whether `run_bulk` writes initial positions to `folder` before it starts the host."""
+        if self.deck_type is None or self.checkpoint:
+            return False
+        return self.deck_type.write_inputs is not BulkDeck.write_inputs
+
     def command_line(self) -> str:
         """Command line that runs the original deck; `run_bulk` runs a copy of it."""
         settings = self.values if self.deck_type else self.values | self.places

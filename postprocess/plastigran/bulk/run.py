@@ -79,7 +79,7 @@ def run_bulk(
 def _run(plan: Plan, software: dict[str, str], show: bool) -> BulkRun:
     """Run a plan in its folder, analyse the run and write its results."""
     source, folder, restart = plan.source, plan.folder, plan.earlier
-    if plan.deck_type and not plan.checkpoint:
+    if plan.deck_type and plan.writes_inputs:
         plan.deck_type.read(source.settings).write_inputs(folder)
     # Run a copy, because the host reads the deck while it runs, and the user may edit the original.
     script = source.copy(folder / "deck")

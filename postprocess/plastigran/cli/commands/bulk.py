@@ -92,6 +92,8 @@ def run(arguments: argparse.Namespace) -> None:
     if arguments.dry_run:
         plan = plan_bulk(*case, host)
         print(plan.command_line())
+        if plan.writes_inputs:
+            print(f"a run first writes the initial positions: {plan.folder / 'grains.data'}")
         print(f"results would be written to {plan.folder}; nothing was started")
         return
     try:
