@@ -17,11 +17,9 @@ import argparse
 import re
 from pathlib import Path
 
-import numpy as np
 import pandas as pd
 from rounds import start, turns
 
-from plastigran.bulk.packing import write_data
 from plastigran.bulk.run import run_bulk
 from plastigran.cli.arguments import positive_integer
 from plastigran.engine.process import PROJECT, EngineError, run_deck
@@ -61,26 +59,15 @@ def settled(deck: str) -> Path:
     values = CASES[deck] | CONTACTS["hertz"] | {"rows": 1, "checkpoints": 1, "frames": 1}
     run = run_bulk(deck, values, folder / "settling", ranks=2, force=True)
     last = read_frame_file(find_frames(run.folder)[-1].grains)
-    densities = densities_by_id(run.folder / "grains.data")[last["id"].astype(int) - 1]
-    lower, upper = last.points.min(axis=0), last.points.max(axis=0)
-    margin = 10 * last["radius"].max()
-    write_data(
-        file,
-        tuple(lower - margin),
-        tuple(upper + margin),
-        last["type"].astype(int),
-        last["radius"],
-        densities,
-        last.points.astype(float),
-        int(re.search(r"(\d+) atom types", (run.folder / "grains.data").read_text())[1]),
-    )
+    head, mark, rows = (run.folder / "grains.data").read_text().partition("Atoms\n\n")
+    grains = {int(words[0]): words[:4] for words in map(str.split, rows.splitlines())}
+    moved = [
+        " ".join([*grains[number], *map(str, position)])
+        for number, position in zip(last["id"].astype(int), last.points.tolist(), strict=True)
+    ]
+    head = re.sub(r"\d+ atoms", f"{len(moved)} atoms", head)
+    file.write_text(head + mark + "\n".join(moved) + "\n")
     return file
-
-
-def densities_by_id(data: Path) -> np.ndarray:
-    """Return the densities (n,) in a data file [kg/m^3], sorted by ID."""
-    rows = data.read_text().partition("Atoms\n\n")[2].splitlines()
-    return np.array([float(row.split()[3]) for row in rows])
 
 
 def seconds(deck: str, law: str, ranks: int, steps: int) -> tuple[float, int]:
