@@ -229,7 +229,9 @@ def read_material(name: Material | str | Path) -> Material:
         path = folder() / f"{name}.in"
     if not path.is_file():
         file = Path(f"{name}.in")
-        hint = f"To read the file, write {file}. " if file.is_file() else ""
+        hint = (
+            f"To use the file in this folder, give its full name {file}. " if file.is_file() else ""
+        )
         raise ValueError(
             f"no material {str(name)!r}. {hint}Available materials: {', '.join(names())}"
         )

@@ -158,7 +158,10 @@ def test_a_material_file_without_its_suffix_gets_a_hint(tmp_path, monkeypatch, c
     (tmp_path / "own.in").write_text("")
     monkeypatch.chdir(tmp_path)
     assert main(["modes", "--material", "./own", "--radius", "1"]) == 1
-    assert "no material './own'. To read the file, write own.in." in capsys.readouterr().err
+    assert (
+        "no material './own'. To use the file in this folder, give its full name own.in."
+        in capsys.readouterr().err
+    )
 
 
 def test_an_internal_error_is_one_line_and_with_v_a_trace(monkeypatch, capsys):

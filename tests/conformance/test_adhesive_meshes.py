@@ -62,7 +62,7 @@ def forces(folder: Path) -> np.ndarray:
 
 
 def fold(angle: float) -> np.ndarray:
-    """Return a plate in x = 0 that is bent towards the grains for y > 0 [degrees]."""
+    """Return a plate in x = 0 whose half y > 0 is bent by `angle` [degrees] towards the grains."""
     turn, half = np.radians(angle), SIDE / 2
     rows = [(0, -half), (0, 0), (-half * np.sin(turn), half * np.cos(turn))]
     low, high = ([(x, y, z) for x, y in rows] for z in (-half, half))

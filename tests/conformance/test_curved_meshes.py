@@ -280,8 +280,8 @@ def test_the_engines_list_of_contacts_has_the_one_force(tmp_path):
 
 
 def test_triangles_that_share_neither_edge_nor_node_are_named(tmp_path):
-    """Strips of the left half end on edges of the right half, and the sphere touches both
-    halves.
+    """The left half of the plate consists of strips that end in the middle of edges of the right
+    half, so the halves share no edge and no node. The sphere touches both halves.
     """
     whole, halved, thirds = (surfaces.folded_plate(0, 0.3, pieces) for pieces in (1, 2, 3))
     sides = [np.mean(plate[:, :, 0], axis=1) for plate in (halved, thirds)]

@@ -42,8 +42,8 @@ def dissipated(table: pd.DataFrame) -> pd.Series:
 
 @pytest.mark.parametrize("geometry", ["pair", "plane", "mesh", "pushing", "shearing"])
 def test_an_impact_warms_by_its_work(geometry, tmp_path):
-    """All dissipated work becomes heat or is stored. The relative tolerance of heats from
-    temperatures is 1e-9, because temperatures are summed over the steps."""
+    """All dissipated work becomes heat or is stored. Heats computed from temperatures have
+    a relative tolerance of 1e-9, because temperatures accumulate round-off over the steps."""
     end = warm("impact", tmp_path, geometry=geometry, **EVERY_MODEL).iloc[-1]
     work = dissipated(end)
     assert min(end["plastic"], end["viscous"]) > 0.1 * work and end["friction"] > 0.01 * work

@@ -88,7 +88,7 @@ def test_fields_may_be_given_for_unlabelled_files(pair_run, tmp_path):
     plain.write_text(text.replace("PAIR pos id force delta", "ENTRIES"))
     labelled = read_contacts(pair_run / "contacts.dump")
     assert read_contacts(plain, "PAIR", "delta force id pos").equals(labelled)
-    with pytest.raises(DumpError, match=r"does not name the fields\. Pass kind and fields"):
+    with pytest.raises(DumpError, match=r"does not name the columns\. Pass the arguments kind"):
         read_contacts(plain)
     with pytest.raises(DumpError, match="give 10 columns, but the file has 13"):
         read_contacts(plain, "PAIR", "pos id delta")

@@ -221,10 +221,10 @@ double sticking_energy(const Law& law, double radius_eff) {
   return std::max(0.0, loaded(high));
 }
 
-// Returns the relative error of restitution per second of time step [1/s] due to jumps of the
-// force: jumps in first loading, and with adhesion the jumps where a contact forms and breaks. In
-// the step that passes a jump, the integrator uses the force before the jump for up to half a step
-// too long.
+// Returns the relative error of restitution due to jumps of the force, divided by the time step
+// [1/s]. The force may jump in first loading; with adhesion, it also jumps where a contact forms and
+// breaks. In the step that passes a jump, the integrator keeps the force from before the jump for up
+// to half a step after it.
 template <class Law>
 double jump_error([[maybe_unused]] const Law& law, [[maybe_unused]] double radius_eff,
                   double mass_eff, double speed) {

@@ -196,7 +196,7 @@ class SteepeningUnloading : public HertzBelowYield {
     return response;
   }
 
-  // Returns W(g).
+  // Returns the integral W(g) defined at the top of this file.
   PLASTIGRAN_DEVICE double work(double g) const {
     return work_.covers(1 + g) ? work_(1 + g)[0] : summed_work(g);
   }

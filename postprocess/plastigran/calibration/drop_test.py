@@ -76,7 +76,8 @@ class DropTest:
         if self.ball is not None and self.plate is not None:
             raise ValueError(
                 f"ball is {self.ball.name} and plate is {self.plate_name}, so neither is the "
-                "calibrated metal. Omit ball, or set plate to None (`--plate metal`)"
+                "calibrated metal. Omit ball, or make the plate the calibrated metal: "
+                "plate=None, on the command line `--plate metal`"
             )
         if not len(self.speed):
             raise ValueError("the drop test contains no drop")

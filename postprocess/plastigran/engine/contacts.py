@@ -101,7 +101,8 @@ def _column_names(
         kind, _, fields = label.partition(" ")
         if kind not in ("PAIR", "WALL"):
             raise DumpError(
-                f"{path}: label {label!r} does not name the fields. Pass kind and fields"
+                f"{path}: label {label!r} does not name the columns. Pass the arguments kind (PAIR "
+                "or WALL) and fields"
             )
     try:
         return ["step", *contact_columns(kind, fields.split(), table.shape[1] - 1)]

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""R. R. Katta & A. A. Polycarpou, J. Tribol. 132 (2010): loading as Lim & Stronge, other unloading.
+"""R. R. Katta & A. A. Polycarpou, J. Tribol. 132 (2010): loading of Lim & Stronge, new unloading.
 
     d_r = a_r^2/(2 R_b),  a_r^2 = a_m^2 - a_el^2,  a_el^2 = 4 q_m/(1/R + 1/R_b)
     x = y (1 - ln(y)/C'),  C' = ln(4 D^2/a_m^2) - kappa
 
-with y = F/F_m and the remaining fraction x of the recovered overlap d_m - d_r.
+with y = F/F_m and x = (d - d_r)/(d_m - d_r). The index m means the end of loading. D, R_b, q and
+kappa are those of lim_stronge.py.
 """
 
 from __future__ import annotations

@@ -68,8 +68,8 @@ def energy_table(cases: Iterable[tuple[dict[str, object], Sequence[BulkRun]]]) -
     """Return the energy at the end of runs [J], and each of its terms in per cent.
 
     Args:
-        cases: For each case, its identifying columns and its runs with several beds, which are
-            averaged. Cases without energy balance have no row.
+        cases: For each case, the columns that identify it, and its runs, one per bed. The table
+            gives means over the runs. Cases without energy balance have no row.
     """
     rows = []
     for names, runs in cases:

@@ -185,7 +185,7 @@ def pressed(computed: Computed) -> pd.DataFrame:
 
 
 def _press_law(name: str, force: float) -> dict[str, float]:
-    """Return results of a law for loading to `force` [N] and unloading as `Pressing.unloadings`."""
+    """Return results of a law that is loaded to `force` [N] and unloaded to 0."""
     law = contact_laws.LAWS[name](PAIR)
     overlap = brentq(
         lambda overlap: law.respond(RADIUS, overlap, law.State()).force - force,
