@@ -32,8 +32,8 @@ RESULTS = PROJECT / "results" / "bench" / "bulk_cost.csv"
 #: Settings of the runs that settle the grains. The ball is then in the bed.
 CASES = {
     "ball_impact": softened_grains(0.01) | {"timestep": 1e-5, "duration": 0.024},
-    "silo": silo.SOFT | {"duration": 0.12},
-    "mixing_drum": drum.SOFT | {"duration": 0.3},
+    "silo": silo.SOFT | {"duration": 0.06, "settling": 0.01},
+    "mixing_drum": drum.SOFT | {"duration": 0.15},
 }
 #: Time steps of the timed runs [s], where they differ. The faster the ball moves in a step, the
 #: more often LIGGGHTS rebuilds its neighbor lists.

@@ -162,12 +162,12 @@ def test_restart_at_walls_on_two_ranks(law, geometry, moment, course, tmp_path):
 
 def test_ranks_share_and_hand_over_a_contact(history_law, course, tmp_path):
     """A contact lies on one border between ranks and moves across another. The collision is the
-    same on 1, 2 and 4 ranks. The relative tolerance is 1e-9, because the round-off of a position
+    same on 1 and 4 ranks. The relative tolerance is 1e-9, because the round-off of a position
     differs after a grain moves to another rank.
     """
     bodies, found = scene(history_law), {}
     steps = ceil(1.3 * course(history_law).contact_time / 4e-6)
-    for ranks, grid in ((1, "1 1"), (2, "2 1"), (2, "1 2"), (4, "2 2")):
+    for ranks, grid in ((1, "1 1"), (4, "2 2")):
         folder = tmp_path / grid.replace(" ", "x")
         log = bodies.run("ranks", folder, ranks=ranks, grid=grid, drift=bodies.drift, steps=steps)
         assert f"{grid.replace(' ', ' by ')} by 1 MPI processor grid" in log
@@ -176,10 +176,9 @@ def test_ranks_share_and_hand_over_a_contact(history_law, course, tmp_path):
         assert x.min() < -0.005 and x.max() > 0.005, "the contact did not cross x = 0"
         assert y.min() < 0 < y.max(), "the contact is not on y = 0"
         found[grid] = measure(table)
-    one = found.pop("1 1")
+    one, four = found.values()
     assert 0 < one.coefficient_of_restitution < 0.99
-    for other in found.values():
-        assert other.coefficient_of_restitution == pytest.approx(
-            one.coefficient_of_restitution, rel=1e-9
-        )
-        assert other.force_max == pytest.approx(one.force_max, rel=1e-9)
+    assert four.coefficient_of_restitution == pytest.approx(
+        one.coefficient_of_restitution, rel=1e-9
+    )
+    assert four.force_max == pytest.approx(one.force_max, rel=1e-9)

@@ -222,9 +222,9 @@ double sticking_energy(const Law& law, double radius_eff) {
 }
 
 // Returns the relative error of restitution due to jumps of the force, divided by the time step
-// [1/s]. The force may jump in first loading; with adhesion, it also jumps where a contact forms and
-// breaks. In the step that passes a jump, the integrator keeps the force from before the jump for up
-// to half a step after it.
+// [1/s]. The force may jump in first loading; with adhesion, it also jumps where a contact forms
+// and breaks. In the step that passes a jump, the integrator keeps the force from before the jump
+// for up to half a step after it.
 template <class Law>
 double jump_error([[maybe_unused]] const Law& law, [[maybe_unused]] double radius_eff,
                   double mass_eff, double speed) {

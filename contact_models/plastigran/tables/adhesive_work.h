@@ -72,9 +72,7 @@ class WorkOfLoading {
 
   // Returns the work of first loading to x, divided by F_y overlap_y.
   PLASTIGRAN_DEVICE double operator()(const Law& law, double x, double B) const {
-    if (!(x >= 1 && x < end_)) return summed(law, x, B);
-    const auto at = [&](std::size_t k) { return works_[k](x)[0]; };
-    return at(0) - B * (at(1) - B * (at(2) + (energy_guarded<Law> ? B * at(3) : 0)));
+    return polynomial(works_at(law, x), B);
   }
 
   // Returns eta at x, 0 for a law without energy guard.
@@ -107,9 +105,9 @@ class WorkOfLoading {
     end_ = works_[0].end();
     for (const auto& table : works_) end_ = std::min(end_, table.end());
   }
-  // Returns the work beyond the end of the tables, by quadrature.
-  [[gnu::noinline, gnu::cold, gnu::pure]] PLASTIGRAN_DEVICE double summed(const Law& law, double x,
-                                                                          double B) const {
+  // Returns w_0 to w_3 beyond the end of the tables, by quadrature.
+  [[gnu::noinline, gnu::cold, gnu::pure]] PLASTIGRAN_DEVICE Works summed(const Law& law,
+                                                                         double x) const {
     Works sum;
     for (std::size_t k = 0; k < sum.size(); ++k) {
       double left = std::min(x, works_[k].end());
@@ -119,24 +117,46 @@ class WorkOfLoading {
         sum[k] += gauss_legendre([&](double at) { return powers(law, at)[k]; }, left, right);
       }
     }
-    return sum[0] - B * (sum[1] - B * (sum[2] + B * sum[3]));
+    return sum;
+  }
+  PLASTIGRAN_DEVICE Works works_at(const Law& law, double x) const {
+    if (!(x >= 1 && x < end_)) return summed(law, x);
+    return {works_[0](x)[0], works_[1](x)[0], works_[2](x)[0],
+            energy_guarded<Law> ? works_[3](x)[0] : 0};
+  }
+  PLASTIGRAN_DEVICE static double polynomial(const Works& w, double B) {
+    return w[0] - B * (w[1] - B * (w[2] + B * w[3]));
   }
 
-  double plastic_work(const Law& law, double x, double B) const {
-    const AfterLoading at = after_loading(law, x);
-    const double d = std::sqrt(std::sqrt(x)), stiffer = 1 + B * eta(x, at);
-    return (*this)(law, x, B) - at.energy / stiffer +
-           B * d * (at.force - 0.25 * B * d * at.slope * stiffer);
+  // Values after first loading to x that do not depend on B.
+  struct Sample {
+    double x, eta;
+    AfterLoading at;
+    Works works;
+
+    double plastic_work(double B) const {
+      const double d = std::sqrt(std::sqrt(x)), stiffer = 1 + B * eta;
+      return polynomial(works, B) - at.energy / stiffer +
+             B * d * (at.force - 0.25 * B * d * at.slope * stiffer);
+    }
+  };
+  std::vector<Sample> samples(const Law& law) const {
+    std::vector<Sample> all;
+    for (const double x : points(law)) {
+      const AfterLoading at = after_loading(law, x);
+      all.push_back({x, eta(x, at), at, works_at(law, x)});
+    }
+    return all;
   }
-  bool falls(const Law& law, double from, double to, double B) const {
-    return plastic_work(law, to, B) < plastic_work(law, from, B) - 1e-13 * (*this)(law, to, 0);
+  // Returns whether plastic work decreases from one sample to the next.
+  static bool falls(const Sample& from, const Sample& to, double B) {
+    return to.plastic_work(B) < from.plastic_work(B) - 1e-13 * to.works[0];
   }
   // Returns whether plastic work increases with x, tested at four fractions of B.
-  bool grows(const Law& law, double B) const {
-    const std::vector<double> all = points(law);
+  static bool grows(const std::vector<Sample>& all, double B) {
     for (const double part : {0.1, 0.4, 0.7, 1.0})
       for (std::size_t k = 1; k < all.size(); ++k)
-        if (falls(law, all[k - 1], all[k], part * B)) return false;
+        if (falls(all[k - 1], all[k], part * B)) return false;
     return true;
   }
   // Returns the values of x at which plastic work is compared. They are dense on both sides of each
@@ -161,9 +181,10 @@ class WorkOfLoading {
   // Finds the largest B. If a law with an energy guard would not reach B = 0.4, increases the loss
   // lost_ until it does.
   void guard(const Law& law) {
+    std::vector<Sample> all = samples(law);
     const auto lower_to = [&](double least) {
       for (largest_number_ = 0.8; largest_number_ > least; largest_number_ *= 0.95)
-        if (grows(law, largest_number_)) return true;
+        if (grows(all, largest_number_)) return true;
       return false;
     };
     constexpr double guarded_number = 0.4;
@@ -173,27 +194,28 @@ class WorkOfLoading {
     }
     largest_number_ = guarded_number;
     loading_ = works_[0];
-    find_intervals(law);
+    find_intervals(all);
     for (lost_ = 0.02; lost_ < 1; lost_ *= 1.5) {
       tabulate(law);
-      if (grows(law, largest_number_)) return;
+      all = samples(law);
+      if (grows(all, largest_number_)) return;
     }
     lost_ = 0;
     tabulate(law);
+    all = samples(law);
     lower_to(0.01);
   }
   // Finds the intervals of x in which plastic work decreases, and extends them by 2 % on each side.
-  void find_intervals(const Law& law) {
-    const std::vector<double> all = points(law);
+  void find_intervals(const std::vector<Sample>& all) {
     std::size_t count = 0;
     for (std::size_t k = 1; k < all.size(); ++k) {
-      if (!falls(law, all[k - 1], all[k], largest_number_) &&
-          !falls(law, all[k - 1], all[k], 0.1 * largest_number_))
+      if (!falls(all[k - 1], all[k], largest_number_) &&
+          !falls(all[k - 1], all[k], 0.1 * largest_number_))
         continue;
-      const double begin = std::max(1.0, all[k - 1] / 1.02);
+      const double begin = std::max(1.0, all[k - 1].x / 1.02);
       const bool is_new = count == 0 || begin > 1.2 * intervals_[count - 1].end;
       if (is_new && count < intervals_.size()) intervals_[count++].begin = begin;
-      intervals_[count - 1].end = 1.02 * all[k];
+      intervals_[count - 1].end = 1.02 * all[k].x;
     }
   }
 

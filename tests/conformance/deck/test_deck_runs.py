@@ -111,23 +111,22 @@ def test_restart_continues(case, whole, tmp_path):
 
 
 def test_ranks_agree_on_the_first_impacts(case, tmp_path):
-    """The first yielding impacts agree on one, two and four ranks to 1e-9 of the kinetic energy.
-    Other ranks sum forces in another order, and an impact multiplies the difference by ten."""
+    """The first yielding impacts agree on one and four ranks to 1e-9 of the kinetic energy. Four
+    ranks sum forces in another order, and an impact multiplies the difference by ten."""
     settings, logs = {**case.brief.settings, **case.brief.start}, []
-    for ranks in (1, 2, 4):
+    for ranks in (1, 4):
         folder = tmp_path / str(ranks)
         folder.mkdir()
         case.deck_type.read(case.settings(**case.brief.start)).write_inputs(folder)
         run_deck(f"bulk/{case.name}.in", settings, folder, ranks)
         assert f"on {ranks} procs for" in (folder / "log.liggghts").read_text()
         logs.append(read_thermo(folder / "log.liggghts"))
-    one = logs[0]
+    one, four = logs
     assert one["plastic"].max() > 1e-4 * one["kinetic"].max(), "no impacts yet"
-    for several in logs[1:]:
-        assert several["step"].tolist() == one["step"].tolist()
-        for name in ("kinetic", "gravity", "elastic", "plastic", "friction"):
-            scale = max(one[name].abs().max(), one["kinetic"].max())
-            assert (several[name] - one[name]).abs().max() <= 1e-9 * scale
+    assert four["step"].tolist() == one["step"].tolist()
+    for name in ("kinetic", "gravity", "elastic", "plastic", "friction"):
+        scale = max(one[name].abs().max(), one["kinetic"].max())
+        assert (four[name] - one[name]).abs().max() <= 1e-9 * scale
 
 
 def test_another_law_runs(case, tmp_path):
