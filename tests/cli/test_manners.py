@@ -135,6 +135,9 @@ def test_dry_runs_print_commands_and_write_nothing(tmp_path, capsys):
     words = shlex.split(typed)
     assert words[:4] == ["mpirun", "--oversubscribe", "-np", "2"]
     assert words[-3:] == ["-var", "side", "4"]
+    assert main(["bulk", "ball_impact", *line]) == 0
+    needed = f"need initial positions, which a run writes to {folder} first"
+    assert needed in capsys.readouterr().out
     assert main(["impact", "--law", "thornton", "--points", "3", *line]) == 0
     assert "3 runs; nothing was started" in capsys.readouterr().out
     assert not folder.exists()

@@ -281,7 +281,7 @@ def test_the_engines_list_of_contacts_has_the_one_force(tmp_path):
 
 def test_triangles_that_share_neither_edge_nor_node_are_named(tmp_path):
     """The left half of the plate consists of strips that end in the middle of edges of the right
-    half, so the halves share no edge and no node. The sphere touches both halves.
+    half. Near the sphere, which touches both halves, they share no edge and no node.
     """
     whole, halved, thirds = (surfaces.folded_plate(0, 0.3, pieces) for pieces in (1, 2, 3))
     sides = [np.mean(plate[:, :, 0], axis=1) for plate in (halved, thirds)]

@@ -81,9 +81,10 @@ def test_renumbered_grains_keep_their_impacts(ranks, tmp_path):
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_a_restart_continues_the_count(gas, ranks, tmp_path):
-    """After a restart, the count continues with the current impacts and the unfinished table. It
-    replaces tables that the first run wrote after the restart point. Sums agree to a relative 1e-6:
-    the restarted run adds forces in another order, and impacts amplify this round-off.
+    """After a restart, the count continues with the current impacts and the unfinished table. The
+    restarted run replaces the tables that the first run wrote after the restart point. Sums agree
+    to a relative 1e-6: the restarted run adds forces in another order, and impacts amplify this
+    round-off.
     """
     folder, _ = gas
     whole = (folder / "spectra.csv").read_text()

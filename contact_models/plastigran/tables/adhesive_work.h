@@ -53,7 +53,7 @@ class WorkOfLoading {
   typedef typename Law::Rebound Rebound;
 
   explicit WorkOfLoading(const Law& law) {
-    tabulate(law);
+    tabulate(law, 0);
     guard(law);
   }
 
@@ -96,15 +96,17 @@ class WorkOfLoading {
     return {at.force, at.slope * d + at.force * slope_of_d, d * (at.slope * slope_of_d - more),
             more * d * slope_of_d};
   }
-  // Returns the derivative of the function in table k: w_0, w_1, w_2 or w_0 + w_3. Near yield, w_3
-  // is a difference of nearly equal works. Its round-off is small only compared with w_0.
+  // Returns the derivative of the function in table k: w_0, w_1, w_2 or w_0 + w_3. Near the start
+  // of an interval, eta is a difference of nearly equal works, so the round-off of w_3 is small
+  // only compared with w_0.
   PLASTIGRAN_DEVICE double derivative(const Law& law, double x, std::size_t k) const {
     const Works all = powers(law, x);
     return k == 3 ? all[0] + all[3] : all[k];
   }
-  void tabulate(const Law& law) {
+  // Tabulates the works from w_`first`. Only w_2 and w_3 depend on lost_.
+  void tabulate(const Law& law, std::size_t first) {
     constexpr Works at_yield{0.4, 1, 0.375, 0.4};  // JKR
-    for (std::size_t k = 0; k < works_.size(); ++k) {
+    for (std::size_t k = first; k < works_.size(); ++k) {
       const auto in_table = [&](double x) { return std::array{derivative(law, x, k)}; };
       works_[k] = Tabulated<1>(1, in_table, kinks_of(law)).integral(at_yield[k]);
     }
@@ -114,8 +116,8 @@ class WorkOfLoading {
   // Returns w_0 to w_3 beyond the end of the tables, by quadrature.
   [[gnu::noinline, gnu::cold, gnu::pure]] PLASTIGRAN_DEVICE Works summed(const Law& law,
                                                                          double x) const {
-    Works sum;
-    for (std::size_t k = 0; k < sum.size(); ++k) {
+    Works sum{};
+    for (std::size_t k = 0; k < works_.size(); ++k) {
       double left = std::min(x, works_[k].end());
       sum[k] = works_[k](left * (1 - 1e-15))[0];
       for (double right; left < x; left = right) {
@@ -123,13 +125,14 @@ class WorkOfLoading {
         sum[k] += gauss_legendre([&](double at) { return derivative(law, at, k); }, left, right);
       }
     }
-    sum[3] -= sum[0];
+    if constexpr (energy_guarded<Law>) sum[3] -= sum[0];
     return sum;
   }
   PLASTIGRAN_DEVICE Works works_at(const Law& law, double x) const {
     if (!(x >= 1 && x < end_)) return summed(law, x);
-    return {works_[0](x)[0], works_[1](x)[0], works_[2](x)[0],
-            energy_guarded<Law> ? works_[3](x)[0] - works_[0](x)[0] : 0};
+    Works all{works_[0](x)[0], works_[1](x)[0], works_[2](x)[0]};
+    if constexpr (energy_guarded<Law>) all[3] = works_[3](x)[0] - all[0];
+    return all;
   }
   PLASTIGRAN_DEVICE static double polynomial(const Works& w, double B) {
     return w[0] - B * (w[1] - B * (w[2] + B * w[3]));
@@ -203,12 +206,12 @@ class WorkOfLoading {
     loading_ = works_[0];
     find_intervals(all);
     for (lost_ = 0.02; lost_ < 1; lost_ *= 1.5) {
-      tabulate(law);
+      tabulate(law, 2);
       all = samples(law);
       if (grows(all, largest_number_)) return;
     }
     lost_ = 0;
-    tabulate(law);
+    tabulate(law, 2);
     all = samples(law);
     lower_to(0.01);
   }
@@ -235,9 +238,9 @@ class WorkOfLoading {
   double largest_number_ = 0;
   std::array<Interval, 4> intervals_{};
   double lost_ = 0;
-  Tabulated<1, 9> loading_;               // work of loading without adhesion
-  std::array<Tabulated<1, 9>, 4> works_;  // w_0, w_1, w_2 and w_0 + w_3
-  double end_ = 0;                        // end of the tables
+  Tabulated<1, 9> loading_;  // work of loading without adhesion
+  std::array<Tabulated<1, 9>, energy_guarded<Law> ? 4 : 3> works_;  // w_0, w_1, w_2, w_0 + w_3
+  double end_ = 0;                                                  // end of the tables
 };
 
 }  // namespace plastigran

@@ -57,7 +57,7 @@ class Brief:
 
     Attributes:
         settings: Settings that make the run short.
-        start: Further settings for the test that compares runs on 1, 2 and 4 ranks. They end the
+        start: Further settings for the test that compares runs on 1 and 4 ranks. They end the
             run soon after the first impacts, because round-off grows with each impact. The test
             allows a difference of 1e-9.
         restart: Largest allowed difference between a continued and an uninterrupted run, divided by

@@ -93,7 +93,7 @@ def run(arguments: argparse.Namespace) -> None:
         plan = plan_bulk(*case, host)
         print(plan.command_line())
         if plan.writes_inputs:
-            print(f"a run first writes the initial positions: {plan.folder / 'grains.data'}")
+            print(f"the commands need initial positions, which a run writes to {plan.folder} first")
         print(f"results would be written to {plan.folder}; nothing was started")
         return
     try:
