@@ -66,3 +66,15 @@ def test_ball_must_start_above_the_bed():
     settings = SHORT | {"ball_height": 0.005}
     with pytest.raises(ValueError, match=r"ball_height is 0\.005; it must be above"):
         run_bulk("ball_impact", settings, "never", show=False)
+
+
+def test_an_impossible_bed_removes_no_earlier_run(tmp_path, brief_run):
+    """The run also ends at the given duration, although 0.004 s / 1e-6 s / 40 exceeds 100."""
+    whole = brief_run("ball_impact", "")
+    assert whole.series["time"].iloc[-1] == pytest.approx(SHORT["duration"], rel=1e-12)
+    run = tmp_path / "run"
+    shutil.copytree(whole.folder, run)
+    before = sorted(run.rglob("*"))
+    with pytest.raises(ValueError, match="Lower volume_fraction"):
+        run_bulk("ball_impact", SHORT | {"volume_fraction": 0.595}, run, force=True, show=False)
+    assert sorted(run.rglob("*")) == before

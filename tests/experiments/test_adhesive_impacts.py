@@ -58,12 +58,13 @@ def test_the_remark_has_the_sticking_speed_of_each_sphere(call, capsys):
     half = jkr_sticking_speed(GAMMA, RADIUS / 2, 0.6e9 / 0.91, 2 / 3 * np.pi * RADIUS**3 * 1350) / 2
     assert main([*call, *LAWS, "--speed", "0.1", "--geometry", "two_spheres", "--theory"]) == 0
     printed = capsys.readouterr().out
-    stick = "Powder, 0.2 J/m2: the bodies stick below a closing speed of"
+    stick = "Powder, 0.2 J/m2: the coefficient of restitution is 0 where the bodies stick. "
+    stick += "The largest closing speed at which they stick is"
     assert f"jkr, {stick} {2 * half:.4g} m/s ({half:.4g} m/s for each sphere)" in printed
     assert f"thornton_ning_1998, {stick}" in printed
     assert main([*call, *LAWS, "--speed", "0.1", "--theory", "--force"]) == 0
     on_wall = stick.replace("Powder", "Powder, on a rigid wall")
-    assert f"jkr, {on_wall} {STICKING:.4g} m/s, so" in capsys.readouterr().out
+    assert f"jkr, {on_wall} {STICKING:.4g} m/s" in capsys.readouterr().out
 
 
 @pytest.mark.filterwarnings("default:surface_energy of material")

@@ -225,6 +225,17 @@ def test_sticking_speed_of_a_contact():
         light.sticking_speed  # noqa: B018
 
 
+def test_speeds_that_cannot_be_computed_do_not_matter():
+    """At 100 m/s, the overlap of these soft granules would exceed the largest allowed value."""
+    soft = Contact("universal", "soft_granules", RIGID, radius=1.8e-4, surface_energy=6e-4)
+    with pytest.raises(ValueError, match="speed is 100 m/s"):
+        soft.impact(100)
+    speed = soft.sticking_speed
+    assert 0 < speed < 1e-3
+    assert soft.impact(0.99 * speed).coefficient_of_restitution == 0
+    assert soft.impact(1.01 * speed).coefficient_of_restitution > 0
+
+
 def test_ammonium_fluorescein_sticks_near_the_published_speed():
     """The published sticking speed is 1.6 m/s. The equations give 1.42 m/s, and 1.07 m/s with the
     energy guard."""

@@ -117,7 +117,7 @@ def write_record(folder: Path, record: dict) -> None:
 
 
 def prepare_folder(folder: Path, force: bool) -> None:
-    """Create the folder of a run, or remove the files of an earlier run from it. Other files stay.
+    """Create the folder of a run, or check that the files of an earlier run may be removed from it.
 
     Raises:
         ValueError: The folder contains files and `force` is false; the folder contains files but no
@@ -141,6 +141,10 @@ def prepare_folder(folder: Path, force: bool) -> None:
             f"{folder} contains files but no {RECORD}, so --force does not overwrite it. "
             "Choose another --output"
         )
+
+
+def remove_earlier_run(folder: Path) -> None:
+    """Remove the files of an earlier run from its folder. Other files stay."""
     # Remove the checkpoints first. If the new run is interrupted, no checkpoint of the earlier run
     # may be newer than those of the new run.
     for file in checkpoints(folder):

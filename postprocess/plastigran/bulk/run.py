@@ -3,8 +3,10 @@
 
 from __future__ import annotations
 
+import shutil
 from collections.abc import Mapping
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 from plastigran.bulk.folder import (
     BEFORE,
@@ -14,6 +16,7 @@ from plastigran.bulk.folder import (
     all_excess,
     carry_files,
     prepare_folder,
+    remove_earlier_run,
     write_record,
 )
 from plastigran.bulk.outcome import BulkRun, open_run
@@ -73,14 +76,18 @@ def run_bulk(
     software = versions(plan.host)  # raises EngineError if the host is missing
     with lock_folder(plan.folder):
         prepare_folder(plan.folder, force)
+        with TemporaryDirectory(prefix="plastigran_") as inputs:
+            # Initial positions may be impossible. Compute them before earlier results are removed.
+            if plan.deck_type and plan.writes_inputs:
+                plan.deck_type.read(plan.source.settings).write_inputs(Path(inputs))
+            remove_earlier_run(plan.folder)
+            shutil.copytree(inputs, plan.folder, dirs_exist_ok=True)
         return _run(plan, software, show)
 
 
 def _run(plan: Plan, software: dict[str, str], show: bool) -> BulkRun:
     """Run a plan in its folder, analyse the run and write its results."""
     source, folder, restart = plan.source, plan.folder, plan.earlier
-    if plan.deck_type and plan.writes_inputs:
-        plan.deck_type.read(source.settings).write_inputs(folder)
     # Run a copy, because the host reads the deck while it runs, and the user may edit the original.
     script = source.copy(folder / "deck")
     record = {

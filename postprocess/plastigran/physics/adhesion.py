@@ -77,22 +77,31 @@ def sticking_speed(
         law: Law between the bodies.
         radius_eff: Effective radius R* [m].
         mass_eff: Effective mass m* [kg].
-        slowest, fastest: Bounds of the search [m/s], which tries 64 speeds first.
+        slowest, fastest: Bounds of the search [m/s], which tries 64 speeds first. Speeds at which
+            the overlap would be too large to compute are left out.
 
     Raises:
-        ValueError: The bodies stick at the fastest speed.
+        ValueError: The bodies stick at the fastest speed that can be computed, or no speed can be
+            computed.
     """
 
     def sticks(speed: float) -> bool:
         return law.central_impact(radius_eff, mass_eff, speed).coefficient_of_restitution == 0
 
-    if sticks(fastest):
-        raise ValueError(f"the bodies stick even at {fastest:g} m/s, the highest speed tried")
-    speeds = np.geomspace(fastest, slowest, 64)
-    lower = next((speed for speed in speeds if sticks(speed)), None)
-    if lower is None:
+    upper = None  # lowest speed at which the bodies rebound, of the speeds above the result
+    for lower in np.geomspace(fastest, slowest, 64):
+        try:
+            if sticks(lower):
+                break
+        except ValueError:
+            if upper is None and lower > slowest:
+                continue
+            raise
+        upper = lower
+    else:
         return 0.0
-    upper = speeds[speeds > lower].min()
+    if upper is None:
+        raise ValueError(f"the bodies stick even at {lower:.4g} m/s, the highest speed tried")
     while upper > lower * (1 + 1e-12):
         middle = (lower * upper) ** 0.5
         lower, upper = (middle, upper) if sticks(middle) else (lower, middle)

@@ -57,16 +57,22 @@ def sticking(impacts: Iterable[CentralImpact]) -> list[str]:
     bodies = {attrs.evolve(impact, speed=SPEED.lower): impact for impact in stuck}.values()
     sentences = []
     for impact in bodies:
-        closing = sticking_speed(impact.contact_law(), impact.radius_eff, impact.mass_eff)
         where = ", ".join(filter(None, (title(impact.material.name), on_wall(impact.wall_name))))
-        speed = f"{closing:.4g} m/s"
-        if impact.bodies == 2:
-            speed += f" ({closing / 2:.4g} m/s for each sphere)"
         sentences.append(
-            f"{impact.law}, {where}, {impact.work_of_adhesion:g} J/m2: the bodies stick below a "
-            f"closing speed of {speed}, so the coefficient of restitution is 0"
+            f"{impact.law}, {where}, {impact.work_of_adhesion:g} J/m2: the coefficient of "
+            f"restitution is 0 where the bodies stick. {_fastest_sticking(impact)}"
         )
     return sentences
+
+
+def _fastest_sticking(impact: CentralImpact) -> str:
+    """Return a sentence with the largest closing speed at which the bodies stick."""
+    try:
+        closing = sticking_speed(impact.contact_law(), impact.radius_eff, impact.mass_eff)
+    except ValueError as error:
+        return f"The sticking speed is unknown: {error}"
+    each = f" ({closing / 2:.4g} m/s for each sphere)" if impact.bodies == 2 else ""
+    return f"The largest closing speed at which they stick is {closing:.4g} m/s{each}"
 
 
 def flattened(impacts: Iterable[CentralImpact]) -> str:
