@@ -197,7 +197,8 @@ class Contact:
         `plastigran.physics.adhesion.jkr_sticking_speed`.
 
         Raises:
-            ValueError: The bodies stick even at 100 m/s, or no body has a mass.
+            ValueError: The bodies stick at the highest speed that can be computed, up to 100 m/s;
+                or no body has a mass.
         """
         if not self.law.adhesive:
             return 0.0

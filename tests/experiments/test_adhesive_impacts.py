@@ -67,6 +67,14 @@ def test_the_remark_has_the_sticking_speed_of_each_sphere(call, capsys):
     assert f"jkr, {on_wall} {STICKING:.4g} m/s" in capsys.readouterr().out
 
 
+def test_bodies_that_always_stick_have_a_table(tmp_path, capsys):
+    line = ["impact", "--law", "jkr", "--material", "steel", "--radius", "1e-9", "--theory"]
+    line += ["--surface-energy", "5", "--speed", "1", "--output", str(tmp_path / "out")]
+    assert main(line) == 0
+    printed = capsys.readouterr().out
+    assert "The sticking speed is unknown: the bodies stick even at 100 m/s" in printed
+
+
 @pytest.mark.filterwarnings("default:surface_energy of material")
 def test_surface_energy_of_the_material(call, tmp_path, capsys):
     """--surface-energy replaces the value of the material; `mdr` ignores both. A warning names laws
