@@ -20,7 +20,7 @@ from plastigran.physics.beverloo import BLOCKS, STEADY_SHARE, Discharge, measure
 #: standard deviations.
 DEVIATIONS = 4
 #: Relative change of the rate that is allowed in addition, because the filling level falls. The
-#: mean change with 2080 grains is 4.5 % (docs/decks/hopper.md).
+#: mean change with 2080 grains is 4.5 %.
 LEVEL = 0.05
 #: Note about a run without steady discharge.
 UNMEASURED = (
