@@ -29,7 +29,7 @@ ALUMINIUM = evolve(SPHERES.material, **RATE)
 @pytest.mark.parametrize("geometry", IMPACTS["sphere"].geometries)
 def test_impact_is_the_laws_at_its_rate(geometry, speed, law, tolerance, tmp_path):
     """At a twentieth of the recommended time step, the relative integration error is 1e-5. Where
-    the plugin interpolates in tables, the tolerance is 1e-3, as docs/rate_factor.md states.
+    the plugin interpolates in tables, the tolerance is 1e-3.
     """
     case = CentralImpact(law, speed, ALUMINIUM, 0.1, geometry=geometry)
     plain = evolve(case, material=SPHERES.material).predict()
