@@ -30,17 +30,17 @@ from plastigran.plot.frame_files import find_frames, read_frame_file
 
 WORK = PROJECT / "build" / "bench" / "bulk_cost"
 RESULTS = PROJECT / "results" / "bench" / "bulk_cost.csv"
-#: Settings of the runs that settle the grains. The ball is then in the bed.
+#: Settings of the runs that settle the grains. At the end of these runs, the ball is in the bed.
 CASES = {
     "ball_impact": softened_grains(0.01) | {"timestep": 1e-5, "duration": 0.024},
     "silo": silo.SOFT | {"duration": 0.06, "settling": 0.01},
     "mixing_drum": drum.SOFT | {"duration": 0.15},
 }
-#: Time steps of the timed runs [s], where they differ. The faster the ball moves in a step, the
-#: more often LIGGGHTS rebuilds its neighbor lists.
+#: Time steps of the timed runs [s], if they differ from those in `CASES`. The farther the ball
+#: moves in a step, the more often LIGGGHTS rebuilds its neighbor lists.
 TIMESTEPS = {"ball_impact": impact.FULL["timestep"]}
-#: Contacts by name. LIGGGHTS' own `hertz` has no energy balance.
 REFERENCE = "hertz"
+#: Settings of the contacts, by name. LIGGGHTS' own `hertz` has no energy balance.
 LAWS = {
     REFERENCE: CONTACTS["hertz"],
     "thornton": {"law": "thornton", "ledger": "off"},
@@ -74,7 +74,7 @@ def settled(deck: str) -> Path:
 
 
 def seconds(deck: str, law: str, ranks: int, steps: int) -> tuple[float, int]:
-    """Return the elapsed time [s] of some steps of a deck, and the number of grains."""
+    """Return the elapsed time [s] of `steps` steps of a deck, and the number of grains."""
     folder = WORK / deck / "run"
     folder.mkdir(parents=True, exist_ok=True)
     (folder / "grains.data").write_bytes(settled(deck).read_bytes())

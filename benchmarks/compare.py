@@ -32,7 +32,7 @@ from plastigran.usable_laws import laws_for
 
 @dataclass(frozen=True)
 class Run:
-    """Deck, and settings that override its defaults."""
+    """Run of a deck: number of ranks, and settings that override the defaults of the deck."""
 
     deck: str
     ranks: int = 1

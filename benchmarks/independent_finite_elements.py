@@ -34,7 +34,7 @@ from plastigran.fem.theory.hertz import HertzSphere
 
 RADIUS = 0.1  # radius of the sphere [m]
 STEP = 1e-6  # relative step of the finite differences for the tangent
-PENALTY = 10.0  # force of a node / (depth * E* * circumference of the contact)
+PENALTY = 10.0  # nodal contact force / (penetration * E* * circumference of the contact)
 ALUMINIUM = ElasticPlastic(
     youngs_modulus=70e9, poissons_ratio=0.3, hardening=LinearHardening(100e6)
 )

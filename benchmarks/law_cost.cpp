@@ -2,7 +2,7 @@
 //
 // Measure the cost of a law alone, without a host. Every law computes the same contacts, and the
 // program prints the time of each phase as CSV. Under callgrind, each phase writes its instruction
-// counts to a separate file, named law/phase/answer. law_cost.py combines times and counts.
+// counts to a separate file with the label law/phase/answer. law_cost.py combines times and counts.
 //
 //   law_cost [--repeats N] [LAW ...]
 //

@@ -42,8 +42,8 @@ OURS = ("thornton", "vu_quoc_zhang", "kogut_etsion", "universal")
 PLUGIN = tuple(
     f"LAMMPS {law}{ledger}" for law in ("thornton", "universal") for ledger in ("", " with energy")
 )
-#: Targets for time of a law of this project / time of a law of LAMMPS: for laws in LIGGGHTS, ratios
-#: of the times of the whole loop; for laws in LAMMPS, ratios of the times of the pair forces.
+#: Targets: compared time, laws of this project, law of LAMMPS, and largest ratio of their times.
+#: The compared time is that of the whole loop (`loop`) or of the pair forces (`pair`).
 TARGETS = (
     ("loop", OURS, "LAMMPS mdr", 0.25),
     ("loop", OURS, "LAMMPS hertz/material", 0.75),

@@ -125,7 +125,8 @@ def ranks(folder: Path, _: int) -> Iterator[Row]:
         late = f"{one['collisions'].iloc[-1]:.0f} collisions per grain"
         yield Row(
             f"{count} ranks compared with one, after {late}: difference of the kinetic energy, "
-            "divided by its expected standard deviation between two random gases",
+            "divided by the standard deviation expected for two gases with different random "
+            "initial velocities",
             (ratio / (2**0.5 * one["temperature_error"])).iloc[-1],
             4,
         )

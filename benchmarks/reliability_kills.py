@@ -96,8 +96,8 @@ def kill_until_done(work: Path, ranks: int, whole: Path) -> tuple[list[int], Pat
         process = get_context("fork").Process(target=_run_part, args=(folder, ranks, earlier))
         process.start()
         log, until = LogFollower(folder / "log.liggghts"), at + random.uniform(0, 0.15) * last
-        # Kill a new simulation only in its second run: the first run, for mixing, has its own
-        # steps.
+        # Kill a new simulation only in its second run. The first run mixes the gas, and the step
+        # count restarts after it.
         while process.is_alive() and (log.read().step < until or log.progress.run < 1 + (at == 0)):
             time.sleep(0.002)
         time.sleep(random.uniform(0, 0.02))

@@ -27,7 +27,7 @@ RESULTS = PROJECT / "results" / "bench"
 #: Range of the neighbor lists / mean distance of grains in bed.in: (largest diameter + skin) /
 #: (volume of the box / grains)^(1/3).
 REACH = 1.29
-#: Bytes that a ghost atom takes in a message: position, velocity and spin, eight bytes per number.
+#: Bytes of a ghost atom in a message: position, velocity and spin, eight bytes per number.
 COPY_BYTES = 72
 #: Bytes read from memory per grain and step, for a bed that is larger than any cache: the misses of
 #: a last-level cache of 1 MiB in cachegrind, times 64 bytes. The values of `hertz`, `thornton` and
@@ -91,7 +91,7 @@ def contacts_factor(grains: float) -> float:
 
 
 def step_time(grains: float, ranks: int, costs: Costs, cluster: Cluster) -> dict[str, float]:
-    """Return the parts of the time of a step [s]: contacts, copies, network, reduction."""
+    """Return the parts of the time of a step [s]: contacts, ghost atoms, network, reduction."""
     per_rank = cluster.imbalance * grains / ranks
     sent = copies(per_rank) if ranks > 1 else 0.0
     on_node = min(ranks, cluster.ranks)

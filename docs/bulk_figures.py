@@ -36,7 +36,7 @@ def bulk(deck: str, **settings: object) -> BulkRun:
 
 
 def cooling_gases() -> Figure:
-    """Draw a plastic and a viscoelastic gas of the same grains, in four minutes."""
+    """Draw a plastic and a viscoelastic gas of the same grains. Takes four minutes."""
     runs = {law: bulk("cooling_gas", law=law, side=10, **given) for law, given in COOLING.items()}
     gas = runs["vu_quoc_zhang"].deck
     rate = gas.gas().cooling_rate(gas.temperature)
@@ -44,7 +44,7 @@ def cooling_gases() -> Figure:
 
 
 def compactions() -> Figure:
-    """Draw grains of three strengths, compressed to the same density, in three minutes."""
+    """Draw grains of three strengths, compressed to the same density. Takes three minutes."""
     settings = {"die_radius": 0.0075, "layers": 9, "relative_density": 0.7, "release": 0.3}
     runs = {
         f"$\\sigma_Y$ = {strength / 1e3:g} kPa": bulk(
@@ -56,7 +56,7 @@ def compactions() -> Figure:
 
 
 def shot_figures() -> dict[str, Figure]:
-    """Draw shot on a plate and on a bed with the defaults of the deck, in four minutes."""
+    """Draw shots on a plate and on a bed with the defaults of the deck. Takes four minutes."""
     return {
         f"bed_impact_{target}": bulk("bed_impact", target=target).figures["bed_impact"]
         for target in ("plate", "bed")
@@ -64,7 +64,7 @@ def shot_figures() -> dict[str, Figure]:
 
 
 def hoppers() -> Figure:
-    """Draw the discharge of a bed through each orifice, in one to four minutes per orifice."""
+    """Draw the discharge of a bed through each orifice. Takes one to four minutes per orifice."""
     runs = [bulk("hopper", orifice=orifice) for orifice in orifices()]
     courses = [(r.series, r.deck.discharge(r.series), r.deck.grains.mass) for r in runs]
     return orifices_figure(courses)
@@ -99,7 +99,7 @@ def draw_uniaxial_test(folder: Path) -> None:
 
 
 def draw_flow_function(folder: Path) -> None:
-    """Draw nine uniaxial tests, in five minutes."""
+    """Draw nine uniaxial tests. Takes five minutes."""
     with tempfile.TemporaryDirectory() as runs:
         table = flow_functions(Path(runs))
     save(flow_function_figure(table), folder / "flow_function", (".png",))

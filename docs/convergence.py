@@ -109,9 +109,9 @@ def elastic_table(
     forces: Sequence[float] = (36.0, 61.0, 174.0, 496.0, 1417.0, 4048.0, 11563.0),
     settings: Settings | None = None,
 ) -> pd.DataFrame:
-    """Return the deviation of the force of an elastic sphere from Hertz at the same approach [%].
+    """Return the deviation [%] of the force on an elastic sphere from Hertz' force.
 
-    Each force [N] has its own mesh.
+    Both forces are for the same approach. Each of `forces` [N] has its own mesh.
     """
     metal = evolve(METAL, hardening=None)
     sphere = HertzSphere(metal, RADIUS)

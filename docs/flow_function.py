@@ -5,8 +5,8 @@
     .venv/bin/python docs/flow_function.py                  # three stresses, three surface energies
     .venv/bin/python docs/flow_function.py --scaling        # two grain sizes, three seeds
 
-Each command takes about five minutes on one core. The script reads finished runs of the folder
-instead of repeating them.
+Each command takes about five minutes on one core. The script reads finished runs from the
+output folder instead of repeating them.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ STRESSES = (2.5e3, 5e3, 1e4)  # Pa
 ENERGIES = (0.0, 2.0, 4.0)  # J/m^2
 #: A sample of 500 grains.
 SAMPLE = {"side": 5, "layers": 10}
-#: Number of cells along the side of the mold. The second sample has grains of 2/3 the radius.
+#: Numbers of cells along the side of the mold. With six cells, the grains have 2/3 of the radius.
 SIDES = (4, 6)
 SEEDS = (1, 2, 3)
 #: Radius [m], time step [s] and surface energy [J/m^2] of the larger grains.

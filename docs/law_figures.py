@@ -109,8 +109,8 @@ def viscoelastic_figure() -> Figure:
                 color=colour,
                 label=label,
             )
-        left.set_xlabel("overlap / largest of Hertz")
-        left.set_ylabel("force / largest of Hertz")
+        left.set_xlabel("overlap / largest Hertz overlap")
+        left.set_ylabel("force / largest Hertz force")
         left.legend(loc="upper left")
         speeds = np.geomspace(1e-5, 1, 60)
         for radius, colour in zip((1e-3, 1e-2, 1e-1), COLOURS, strict=False):

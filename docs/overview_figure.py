@@ -64,7 +64,7 @@ def overview_figure() -> Figure:
     axes.set_xlabel("impact speed / yield speed of the contact")
     axes.set_ylabel("coefficient of restitution")
     for x, y, text, colour in (
-        (0.35, TYPED_RESTITUTION - 0.02, f"hertz: {TYPED_RESTITUTION:g}, typed in", "0.4"),
+        (0.35, TYPED_RESTITUTION - 0.02, f"hertz: {TYPED_RESTITUTION:g}, prescribed", "0.4"),
         (10, 0.45, "thornton", law_colour("thornton")),
         (18, 0.88, "measured on steel", "0.45"),
         (2.8, 1.01, "finite elements", "black"),

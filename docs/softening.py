@@ -6,7 +6,7 @@
                                        [--seeds 1 2 3] [--output FOLDER]
 
 The defaults take about 25 minutes of one core, most of it in the stiff runs. The script reads
-finished runs of the folder instead of repeating them.
+finished runs from the output folder instead of repeating them.
 """
 
 from __future__ import annotations
@@ -84,7 +84,7 @@ def _run(
         return open_run(folder / "run")
     folder.mkdir(parents=True, exist_ok=True)
     file = folder / "material.in"
-    write_material(soften(stiff_material(), factor), file, f"Granules at {factor:g}.", force=True)
+    write_material(soften(stiff_material(), factor), file, f"Softened by {factor:g}.", force=True)
     timestep = settings["timestep"] * (factor / SOFTEST) ** TIME_POWER
     values = {**settings, "timestep": timestep, "law": LAW, "seed": seed}
     values |= {"materials": folder.resolve(), "material": file.stem}

@@ -5,7 +5,8 @@ from __future__ import annotations
 
 from plastigran import laws
 
-#: For bodies of some millimeters. The pull-off distance is near the overlap at yield.
+#: Values in SI units for bodies of some millimeters. With this surface energy, the pull-off
+#: distance is near the overlap at yield.
 VALUES = {
     "dissipative_constant": 1e-6,
     "surface_energy": 10.0,

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Mark the tests that start LIGGGHTS, according to the functions that they, their fixtures and
-their helpers call. `pytest -m "not engine"` runs the other tests without LIGGGHTS, so a test that
-is missed here fails there.
+their helpers call. `pytest -m "not engine"` runs the other tests without LIGGGHTS, so a test
+without this marker fails in that run if it starts LIGGGHTS.
 """
 
 from __future__ import annotations

@@ -11,7 +11,8 @@ import numpy as np
 AXES = "xyz"
 #: Radius of particles that are created between runs [m]; all other particles are larger.
 CREATED_RADIUS = 0.04
-#: Actions between two runs. `displace` moves all particles and is not possible with walls.
+#: Actions between two runs. `displace` moves all particles and is not possible with walls. After
+#: `restart with its line`, the deck repeats the lines pair_style and pair_coeff.
 ACTIONS = (
     "nothing",
     "delete",

@@ -18,7 +18,7 @@ class Frame:
     """Particles at a step, in SI units.
 
     Attributes:
-        step: Time step.
+        step: Time step number.
         ids, types: IDs and types of the particles (n,).
         radius, mass: Radii [m] and masses [kg] (n,).
         place, velocity, force: Positions [m], velocities [m/s] and forces [N] (n, 3).

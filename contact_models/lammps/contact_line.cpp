@@ -82,7 +82,7 @@ Complaint read_tangential(std::vector<std::string>& models, TangentialLine& line
   }
   if (std::find(models.begin(), models.end(), "marshall") != models.end())
     return Complaint(
-        "`twisting marshall` needs a tangential model of LAMMPS; choose `twisting sds`");
+        "`twisting marshall` needs one of LAMMPS' own tangential models; choose `twisting sds`");
   const std::vector<std::string> rest(end, models.end());
   models.erase(at + 1, models.end());
   models.insert(models.end(), {"mindlin", "NULL", "0", friction});

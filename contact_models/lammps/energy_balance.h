@@ -30,7 +30,8 @@ struct ParticleLoad {
 
 class EnergyBalance : public LAMMPS_NS::Fix {
  public:
-  // Energy terms [J], in the order of LIGGGHTS; the last is the number of contacts.
+  // Energy terms [J], in the same order as f_energy_ledger in LIGGGHTS. CONTACTS is the number of
+  // contacts [-].
   enum Term {
     KINETIC,
     GRAVITATIONAL,
@@ -122,8 +123,9 @@ class EnergyBalance : public LAMMPS_NS::Fix {
   Power power_, wall_power_;
   std::vector<ParticleLoad> loads_;
   double* work_ = nullptr;
-  // Mechanical energy at setup or before particles are exchanged between ranks, and the mechanical
-  // and contact energy at the end of the last run [J].
+  // mechanical_: kinetic plus gravitational energy in the setup, or before ranks exchange particles
+  // [J]. last_state_: this energy plus the elastic and surface energy of the contacts, at the end
+  // of the last run [J].
   double mechanical_ = 0, last_state_ = 0;
   bool started_ = false, in_setup_ = false, has_run_ = false;
 };

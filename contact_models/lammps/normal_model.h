@@ -5,8 +5,8 @@
 // keeps the name and the coefficients of `hertz/material`, because restart files and LAMMPS'
 // damping models use them.
 //
-// Contact history: a flag of LAMMPS (only for laws whose contacts can stretch), the state of the
-// law, and the rate factor (only for bodies with a rate coefficient). When LAMMPS
+// Contact history: LAMMPS' flag for bodies that touch (only for laws whose contacts can stretch),
+// the state of the law, and the rate factor (only for bodies with a rate coefficient). When LAMMPS
 // stores a pair for the other particle, it multiplies each history value by its transfer factor.
 // The default of this factor is -1; this model sets 1.
 #pragma once
@@ -34,7 +34,7 @@ class NormalModel : public LAMMPS_NS::Granular_NS::GranSubModNormal {
   static void replace(LAMMPS_NS::Granular_NS::GranularModel* model, LAMMPS_NS::LAMMPS* lammps,
                       Laws laws, const TangentialLine& tangential, ContactTally& tally);
 
-  // Counts contacts beyond the validity range in an account.
+  // Sets the account that counts contacts beyond the validity range.
   void count_in(RangeAccount* account) { account_ = account; }
   const Laws& laws() const { return laws_; }
 

@@ -98,7 +98,7 @@ void PairStyle::coeff(int count, char** words) {
                "pair_coeff: give atom types, law and body, such as `pair_coeff 1 1 thornton "
                "7e10 0.3 yield_strength 3e8 tangential mindlin NULL 1.0 0.5`");
   const ContactLine line = read({words + 2, words + count}, "pair_coeff");
-  // Mix the types again before the next run, because the line may change a body or a law.
+  // Make init_style() mix these types again, because the new line may change a body or a law.
   for (const auto& [i, j] : mixed_) setflag[i][j] = 0;
   mixed_.clear();
   if (!line.mixed) return add_model(words[0], words[1], line, line.body, line.body);
@@ -326,7 +326,7 @@ void PairStyle::read_restart(FILE* file) {
   };
   set_cutoff(read_text());
   std::vector<std::pair<GranularModel*, ContactLine>> mixed;
-  Body body;  // of any line
+  Body body;  // body of one of the lines
   for (int k = 0; k < nmodels; ++k) {
     const ContactLine line = read(LAMMPS_NS::utils::split_words(read_text()), "read_restart");
     if (line.mixed) {
@@ -336,7 +336,8 @@ void PairStyle::read_restart(FILE* file) {
       body = line.body;
     }
   }
-  // A model that a later line has replaced needs any bodies.
+  // Construct `mixed` models with an arbitrary body. set_mixed_models() then sets the right bodies,
+  // except in unused models, which a later line has replaced.
   for (const auto& [model, line] : mixed)
     set_model(model, line, law(line, body, body, "read_restart"));
   set_mixed_models();

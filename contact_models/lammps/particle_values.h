@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Values per particle of the plugin, stored by `fix property/atom`, which moves them between ranks
-// and writes them to restart files. LAMMPS leaves the values of new particles unset, so a second
-// fix of the style `plastigran/values` sets them to zero.
+// Values that the plugin keeps for each particle. `fix property/atom` stores them, moves them
+// between ranks and writes them to restart files. LAMMPS leaves the values of new particles unset,
+// so another fix, of the style `plastigran/values`, sets them to zero.
 #pragma once
 
 #include <string>

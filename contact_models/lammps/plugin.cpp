@@ -45,8 +45,8 @@ bool fits(const LAMMPS& lammps) {
 }  // namespace
 }  // namespace plastigran
 
-// Warns if the plugin does not fit. An error would stop every LAMMPS that finds the plugin in
-// LAMMPS_PLUGIN_PATH, even with decks that do not use it.
+// Warns if the plugin was built for another LAMMPS. An error would stop every LAMMPS that finds the
+// plugin in LAMMPS_PLUGIN_PATH, even with decks that do not use it.
 extern "C" __attribute__((visibility("default"))) void lammpsplugin_init(void* host, void* handle,
                                                                          void* register_style) {
   using namespace plastigran;

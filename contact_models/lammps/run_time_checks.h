@@ -45,8 +45,8 @@ class RunTimeChecks : public LAMMPS_NS::Fix {
   void restart(char* data) override;
 
  private:
-  // Counts of a law on this rank. Except for `range`, only rank 0 uses the members that
-  // RangeAccount does not have.
+  // Counts of a law on this rank. The members declared here, except `range`, are used only on
+  // rank 0.
   struct Excess : RangeAccount {
     std::string range;            // validity range in words
     double all_contacts = 0;      // number of contacts beyond the range on all ranks

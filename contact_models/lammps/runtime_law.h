@@ -94,7 +94,7 @@ class RuntimeLawOf : public RuntimeLaw {
     std::memcpy(state, static_cast<const void*>(&now), bytes);
     return response;
   }
-  // The attribute `flatten` inlines the law, so that the compiler can remove its energies.
+  // The attribute `flatten` inlines the law, so that the compiler can omit its energies.
   [[gnu::flatten]] Response forces(double radius_eff, double overlap, double overlap_rate,
                                    double factor, double* state) const override {
     const Response all = RuntimeLawOf::respond(radius_eff, overlap, overlap_rate, factor, state);

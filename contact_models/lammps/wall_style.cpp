@@ -35,8 +35,8 @@ NormalModel::Laws WallLine::laws() const {
   PairStyle* const pair = PairStyle::of(lammps_);
   if (!pair)
     lammps_->error->all(FLERR,
-                        "{}: the pair style has changed; the wall needs `pair_style "
-                        "granular/plastigran`, or remove the wall by `unfix`",
+                        "{}: the pair style has changed, but the wall needs `pair_style "
+                        "granular/plastigran`; give this pair style, or remove the wall by `unfix`",
                         command_);
   NormalModel::Laws all;
   for (int type = 1; type <= lammps_->atom->ntypes; ++type)

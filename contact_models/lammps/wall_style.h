@@ -72,7 +72,7 @@ class WallStyle : private WallLine, public LammpsWall, public ContactTally {
     return -force;
   }
 
-  // Makes the laws again from the present pair_coeff lines.
+  // Creates the laws again from the current pair_coeff lines.
   void init() override {
     NormalModel::replace(this->model, this->lmp, laws(), tangential(), *this);
     if (history_size() != this->size_history)

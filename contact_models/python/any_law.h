@@ -39,8 +39,8 @@ class AnyLaw {
                                       const ImpactOutcome& impact) const = 0;
 };
 
-// Returns whether a history belongs to a law. Also compares the names of the values, because a law
-// has the same name with and without adhesion, but other values.
+// Returns whether a history belongs to a law. Also compares the names of the values: a law with
+// adhesion has the same name as without adhesion, but different state variables.
 inline bool is_state_of(const AnyState& state, const AnyLaw& law) {
   return state.law == law.name() && state.names == law.state_names();
 }

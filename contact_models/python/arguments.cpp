@@ -28,8 +28,8 @@ void check(const Argument& argument, const std::string& index, double value) {
 
 bool is_number(nb::handle given) { return PyFloat_Check(given.ptr()) || PyLong_Check(given.ptr()); }
 
-// Returns an array-like argument as an array of doubles. Raises ValueError if it has no numbers or
-// a value is out of range.
+// Returns an array-like argument as an array of doubles. Raises ValueError if it cannot be
+// converted to numbers, or if a value is out of range.
 nb::object to_array(const nb::module_& numpy, const Argument& argument) {
   nb::object array;
   try {

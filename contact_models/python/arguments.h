@@ -35,7 +35,7 @@ struct Argument {
   nb::object given;
   Allowed allowed;
   const char* unit;
-  bool one_per_path = false;  // true for a value per path: arrays get an axis along the path
+  bool one_per_path = false;  // whether an array has one value per path and needs a last axis
 };
 
 class Broadcast {

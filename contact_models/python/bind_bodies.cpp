@@ -164,10 +164,10 @@ Source: effective moduli of Hertz 1881 and Mindlin 1949.)");
       R"(Return peak Hertz pressure / yield strength at first yield (von Mises) [-].
 
 Args:
-    poissons_ratio: nu [-], above -1 and at most 0.5: a number or an array of any shape.
+    poissons_ratio: Poisson's ratio nu [-], a number or an array; above -1 and at most 0.5.
 
 Returns:
-    A number, or an array of that shape.
+    A number, or an array with the shape of `poissons_ratio`.
 
 Raises:
     ValueError: A value is out of range.
@@ -187,13 +187,14 @@ Source: Johnson, Contact Mechanics (1985), sec. 3.4 and 4.1.)");
       R"(Return the factor by which the strain rate of an impact increases the yield strength [-].
 
 The factor is 1 + C ln(rate/reference_rate) above the reference rate and 1 below, rounded to
-multiples of 1e-4. C and E' belong to the weaker body. The strain rate
-is (speed/R*) times (E*/E')^2.
+multiples of 1e-4. The strain rate is (speed/R*) times (E*/E')^2, with E' = E/(1-nu^2). C, E and nu
+belong to the weaker body.
 
 Args:
     pair: The two bodies.
-    radius_eff: R* [m], positive. Numbers or arrays whose shapes broadcast together, as all below.
-    speed: Closing speed at first touch [m/s].
+    radius_eff: R* [m], positive. `radius_eff` and `speed` are numbers or arrays; arrays broadcast
+        together.
+    speed: Closing speed at first touch [m/s], not negative.
 
 Returns:
     A number, or an array of the broadcast shape.

@@ -77,7 +77,7 @@ void bind_tangential(nb::module_& module, nb::dict& all, const char* class_name,
   nb::class_<State> state(law, "State", "Histories of an array of contacts of this law.");
   state.def(nb::init<const std::vector<std::size_t>&>(), "shape"_a = std::vector<std::size_t>(),
             nb::sig("def __init__(self, shape: Sequence[int] = ()) -> None"),
-            "Create the histories of contacts before first touch, in an array of this shape.");
+            "Create an array of histories of this shape, for contacts before first touch.");
   state.def(
       "copy", [](const State& self) { return State(self); }, nb::sig("def copy(self) -> Self"),
       "Return a copy.");
@@ -134,14 +134,14 @@ void bind_tangential(nb::module_& module, nb::dict& all, const char* class_name,
           R"(Advance one contact, or an array of contacts, by one step.
 
 Args:
-    force: Normal force at the end of the step [N]. Numbers or arrays whose shapes broadcast
-        together, as all below.
+    force: Normal force at the end of the step [N], not negative. All arguments except `state` are
+        numbers or arrays; arrays broadcast together.
     stiffness: Tangential stiffness of a sticking contact, 8 G* a, with a at the end of the step
         [N/m].
-    displacement_x: Displacement in the step of the first body's surface relative to the
-        second's, along x of the contact plane [m].
-    displacement_y: The displacement along y [m].
-    spin: Rotation of the pair about the normal in the step [rad].
+    displacement_x: Component x of the tangential displacement in this step [m]: the displacement of
+        the first body's surface relative to the surface of the second body.
+    displacement_y: Component y of this displacement [m].
+    spin: Rotation of the contact about its normal in this step [rad].
     state: Histories of the contacts, which this call advances. None for contacts before first
         touch.
 
@@ -149,7 +149,8 @@ Returns:
     Tangential force along the displacement and energies: numbers, or arrays of the broadcast shape.
 
 Raises:
-    ValueError: A value is out of range, or the shapes cannot be broadcast.)");
+    ValueError: A value is out of range, the shapes cannot be broadcast, or `state` does not have
+        the broadcast shape.)");
   law.attr("name") = Law::name;
   law.attr("source") = Law::source;
   law.attr("range") = Law::range;

@@ -152,14 +152,14 @@ Args:
     speed: Closing speed at first touch [m/s], positive.
 
 Returns:
-    A law without rate coefficient; this law itself if it has no rate coefficient.
+    A law whose rate coefficient is 0. It equals this law if the rate coefficient of this law is 0.
 
 Raises:
-    ValueError: A value is out of range.)");
+    ValueError: A value is out of range, or an argument is an array.)");
   law.def_static(
       "parameters", &parameter_table<Law>, nb::sig("def parameters() -> list[dict[str, Any]]"),
       "Return one dict per constant of the law: name, unit, default (None: required), per_body "
-      "(whether each body has a value; the pair uses the larger), lower, upper, meaning.");
+      "(whether each body has a value; the pair uses the larger), lower, upper (bounds), meaning.");
   law.def_static("options", &option_table<Law>, nb::sig("def options() -> list[dict[str, Any]]"),
                  "Return one dict per option of the law: name, choices, default, meaning.");
   law.attr("name") = Law::name;

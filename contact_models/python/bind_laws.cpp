@@ -150,19 +150,21 @@ void bind_laws(nb::module_& module) {
       "Contact law between two bodies: base class of the laws in `LAWS`. Immutable.");
   law.def_prop_ro(
       "overlap_range", &AnyLaw::overlap_range,
-      "Largest overlap/R* for which the law is valid [-]; `range` describes it in words.");
+      "Largest overlap/R* for which the law is valid [-]. `range` states the validity in words.");
   law.def("respond", &respond_to, "radius_eff"_a, "overlap"_a, "state"_a = nb::none(),
           "overlap_rate"_a = 0.0,
           nb::sig("def respond(self, radius_eff: ArrayLike, overlap: ArrayLike, state: "
                   "ContactState | Sequence[ContactState] | NDArray[Any] | None = None, "
                   "overlap_rate: ArrayLike = 0.0) -> "
                   "Response"),
-          R"(Return the response of one contact or of an array of contacts, without rate effect.
+          R"(Return the response of one contact or of an array of contacts.
 
-For the yield strength at the strain rate of an impact, use the law that `at_impact` returns.
+The yield strength is that of the `pair`, at its reference rate. For the yield strength at the
+strain rate of an impact, use the law that `at_impact` returns.
 
 Args:
-    radius_eff: R* [m], positive. Numbers or arrays whose shapes broadcast together, as all below.
+    radius_eff: R* [m], positive. All arguments except `state` are numbers or arrays; arrays
+        broadcast together.
     overlap: Overlap [m].
     state: History of the contact, updated at a new extreme; for an array of contacts an array of
         histories with the broadcast shape. None for first loading.
@@ -172,35 +174,36 @@ Returns:
     Force, contact radius and energies: numbers, or arrays of the broadcast shape.
 
 Raises:
-    ValueError: A value is out of range (the message names it, its index and the range), or the
-        shapes cannot be broadcast.
+    ValueError: A value is out of range (the message names the argument, index and range), or
+        the shapes cannot be broadcast.
     TypeError: `state` belongs to another law.)");
-  law.def(
-      "follow", &follow, "radius_eff"_a, "overlap"_a, "state"_a = nb::none(),
-      "overlap_rate"_a = nb::none(),
-      nb::sig("def follow(self, radius_eff: ArrayLike, overlap: ArrayLike, state: "
-              "ContactState | Sequence[ContactState] | NDArray[Any] | None = None, "
-              "overlap_rate: ArrayLike | None = "
-              "None) -> dict[str, Numbers]"),
-      R"(Return the responses along a path of overlaps, or along an array of paths, without rate effect.
+  law.def("follow", &follow, "radius_eff"_a, "overlap"_a, "state"_a = nb::none(),
+          "overlap_rate"_a = nb::none(),
+          nb::sig("def follow(self, radius_eff: ArrayLike, overlap: ArrayLike, state: "
+                  "ContactState | Sequence[ContactState] | NDArray[Any] | None = None, "
+                  "overlap_rate: ArrayLike | None = "
+                  "None) -> dict[str, Numbers]"),
+          R"(Return the responses along a path of overlaps, or along an array of paths.
 
-For the yield strength at the strain rate of an impact, use the law that `at_impact` returns.
+The yield strength is that of the `pair`, at its reference rate. For the yield strength at the
+strain rate of an impact, use the law that `at_impact` returns.
 
 Args:
-    radius_eff: R* [m], positive: a number, or an array (...) with one value per path.
-    overlap: Path [m], shape (..., N): each contact follows the last axis.
+    radius_eff: R* [m], positive: a number, or an array of shape (...) with one value per path.
+    overlap: Overlaps [m], shape (..., N). The last axis is the path of one contact.
     state: History at the start of the path, updated along it; an array of shape (...) for several
         paths. None for first loading.
     overlap_rate: Overlap rate [m/s], positive while closing, broadcast with `overlap`; None for
         zero. Used only by `rate_dependent` laws.
 
 Returns:
-    Arrays of shape (..., N): force [N], contact_radius [m], elastic_energy [J], plastic_work [J],
-    viscous_force [N], surface_energy [J]. pandas.DataFrame accepts the dict of a single path.
+    Dict of arrays of shape (..., N): force [N], contact_radius [m], elastic_energy [J],
+    plastic_work [J], viscous_force [N], surface_energy [J]. pandas.DataFrame accepts the dict of a
+    single path.
 
 Raises:
-    ValueError: A value is out of range (the message names it, its index and the range), or the
-        shapes cannot be broadcast.
+    ValueError: A value is out of range (the message names the argument, index and range), or
+        the shapes cannot be broadcast.
     TypeError: `state` belongs to another law.)");
   law.def("central_impact", &central_impact_of, "radius_eff"_a, "mass_eff"_a, "speed"_a,
           nb::sig("def central_impact(self, radius_eff: ArrayLike, mass_eff: ArrayLike, speed: "
@@ -211,7 +214,7 @@ The outcome follows from the energies of the law. For a `rate_dependent` law, it
 equation of motion. The yield strength is multiplied by `rate_factor`.
 
 Args:
-    radius_eff: R* [m], positive. Numbers or arrays whose shapes broadcast together, as all below.
+    radius_eff: R* [m], positive. All arguments are numbers or arrays; arrays broadcast together.
     mass_eff: m* [kg], positive.
     speed: Relative speed [m/s], positive.
 
@@ -219,21 +222,21 @@ Returns:
     Outcome of the impact: numbers, or arrays of the broadcast shape.
 
 Raises:
-    ValueError: A value is out of range (the message names it, its index and the range), or the
-        shapes cannot be broadcast.)");
+    ValueError: A value is out of range (the message names the argument, index and range), or
+        the shapes cannot be broadcast.)");
   law.def(
       "pull_off_distance", &pull_off_distance_of, "radius_eff"_a,
       nb::sig("def pull_off_distance(self, radius_eff: ArrayLike) -> Numbers"),
       R"(Return the largest separation at which bodies may be in contact [m]; 0 without adhesion.
 
 Args:
-    radius_eff: R* [m], positive, number or array.
+    radius_eff: R* [m], positive: a number or an array.
 
 Returns:
     A number, or an array of the shape of `radius_eff`.
 
 Raises:
-    ValueError: A radius is out of range; the message names it, its index and the range.)");
+    ValueError: A radius is out of range; the message gives its value, index and range.)");
   law.def("pull_off_force", &pull_off_force_of, "radius_eff"_a, "overlap"_a = 0.0,
           "state"_a = nb::none(),
           nb::sig("def pull_off_force(self, radius_eff: ArrayLike, overlap: ArrayLike = 0.0, "
@@ -244,29 +247,30 @@ Raises:
 This pull-off force is 0 for laws without adhesion.
 
 Args:
-    radius_eff: R* [m], positive. Numbers or arrays whose shapes broadcast together, as all below.
+    radius_eff: R* [m], positive. `radius_eff` and `overlap` are numbers or arrays; arrays broadcast
+        together.
     overlap: Overlap [m], used by laws whose adhesive limit is a function of the overlap.
-    state: History of the contact; for an array of contacts an array of histories of its shape.
-        None for a contact before yield.
+    state: History of the contact; for an array of contacts an array of histories with the broadcast
+        shape. None for a contact before yield.
 
 Returns:
     A number, or an array of the broadcast shape.
 
 Raises:
-    ValueError: A value is out of range (the message names it, its index and the range), or the
-        shapes cannot be broadcast.
+    ValueError: A value is out of range (the message names the argument, index and range), or
+        the shapes cannot be broadcast.
     TypeError: `state` belongs to another law.)");
   law.def(
       "recommended_timestep", &recommended_timestep_of, "radius_eff"_a, "mass_eff"_a, "speed"_a,
       nb::sig("def recommended_timestep(self, radius_eff: ArrayLike, mass_eff: ArrayLike, speed: "
               "ArrayLike) -> Numbers"),
-      R"(Return the time step for an error of 1e-3 in the restitution of a central impact [s].
+      R"(Return the time step [s] that limits the restitution error of an impact to about 1e-3.
 
 The step is a tenth of sqrt(m*/k), with the largest stiffness k during the impact. It is shorter
 if the force depends on the overlap rate, or if the force jumps.
 
 Args:
-    radius_eff: R* [m], positive. Numbers or arrays whose shapes broadcast together, as all below.
+    radius_eff: R* [m], positive. All arguments are numbers or arrays; arrays broadcast together.
     mass_eff: m* [kg], positive.
     speed: Relative speed [m/s], positive.
 
@@ -274,8 +278,8 @@ Returns:
     A number, or an array of the broadcast shape.
 
 Raises:
-    ValueError: A value is out of range (the message names it, its index and the range), or the
-        shapes cannot be broadcast.)");
+    ValueError: A value is out of range (the message names the argument, index and range), or
+        the shapes cannot be broadcast.)");
 }
 
 }  // namespace plastigran

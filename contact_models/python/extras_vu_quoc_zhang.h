@@ -28,12 +28,17 @@ inline void bind_extras(nb::class_<LawOf<VuQuocZhang>, AnyLaw>& law) {
       R"(Return the overlap at a given force [m]: the force-driven form of the law.
 
 Args:
-    radius_eff: R* [m], positive. Numbers or arrays whose shapes broadcast together, as all below.
+    radius_eff: R* [m], positive. `radius_eff` and `force` are numbers or arrays; arrays broadcast
+        together.
     force: Normal force [N], not negative.
     state: History of the contact, as in `respond`.
 
+Returns:
+    A number, or an array of the broadcast shape.
+
 Raises:
     ValueError: A value is out of range, or the shapes cannot be broadcast.
+    TypeError: `state` belongs to another law.
 
 Source: Vu-Quoc, Zhang & Lesburg 2000, J. Appl. Mech. 67:363.)");
   law.def(

@@ -60,8 +60,8 @@ def stage(source: Path) -> Path:
 def navigation(pages: Path) -> str:
     """Return the table of contents: toc.yml with its patterns replaced by the matching pages.
 
-    If the title of a page found by a pattern has a colon, the text before it is the entry, such as
-    the name of a law.
+    If the title of a matching page has a colon, the text before the colon is the entry, such as the
+    name of a law.
     """
     contents = yaml.safe_load((PROJECT / "docs" / "site" / "toc.yml").read_text())
     found = [path.relative_to(pages).with_suffix("") for path in sorted(pages.rglob("*.[mr][ds]*"))]

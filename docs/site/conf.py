@@ -23,7 +23,8 @@ myst_heading_anchors = 4
 myst_enable_extensions = ["smartquotes"]
 suppress_warnings = ["ref.python"]  # several classes have members of the same name
 
-# Notebooks are Markdown pages whose code runs during the build. An error in it stops the build.
+# Notebooks are Markdown pages whose code runs during the build. An error in this code stops the
+# build.
 nb_execution_mode = "force"
 nb_execution_raise_on_error = True
 nb_execution_timeout = 120
@@ -69,7 +70,7 @@ def process_docstring(app, what, name, found, options, lines):
 
 
 def rejoin_sentence(app, what, name, found, options, lines):
-    """Undo the split of a property's docstring at a colon: the text before it is not a type."""
+    """Undo the split of a property's docstring at a colon. The part before it is not a type."""
     kinds = [line for line in lines if line.startswith(":type: ")]
     if what in ("property", "attribute") and kinds:
         rest = [line for line in lines if line not in kinds]

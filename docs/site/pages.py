@@ -24,7 +24,7 @@ def write_pages(folder: Path, write: Callable[[Path, str], None]) -> list[Path]:
     """Write all pages that are generated from the code, and return their paths.
 
     Args:
-        folder: Folder of all pages; these go to its folder `reference`.
+        folder: Folder of all pages. The generated pages go to its subfolder `reference`.
         write: Function `write(path, text)`.
     """
     texts = {"commands.md": commands()}

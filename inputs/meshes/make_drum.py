@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Write drum.stl next to this file: the shell of a drum about the y axis.
 
-Radius and length are 1, and the center is the origin. Decks scale it.
+Radius and length are 1, and the center is the origin. Decks scale the mesh.
 """
 
 from __future__ import annotations
@@ -12,8 +12,8 @@ from pathlib import Path
 import numpy as np
 from stl import write
 
-#: Number of facets. It is small so that the energy error is small. LIGGGHTS transfers a grain to
-#: the next facet when its center crosses the plane that is normal to the facet at the edge. There,
+#: Number of facets. Few facets keep the energy error small. LIGGGHTS transfers a grain to the next
+#: facet when its center crosses the plane that is normal to the facet at the edge. At this plane,
 #: the force jumps if the overlap exceeds (1 - cos(2 pi / FACETS)) of the grain radius. The shell
 #: deviates from a circle by 1 % of its radius.
 FACETS = 24

@@ -4,8 +4,8 @@
     python inputs/meshes/make_hopper.py            # the meshes of the repository
     python inputs/meshes/make_hopper.py 5.5 6.5    # other orifices
 
-The hopper is a barrel on a cone along z, which ends in a round orifice at z = 0. It is open at both
-ends. Lengths are in grain diameters; the deck scales them.
+The hopper is a barrel on a cone along z, which ends in a round orifice at z = 0. The hopper is open
+at both ends. Lengths are in grain diameters; the deck scales them.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ SEGMENTS = 36
 
 
 def rings(orifice: float, barrel: float, height: float, slope: float) -> np.ndarray:
-    """Return diameter and height of the circles between which the surface is spanned (n, 2).
+    """Return diameters and heights (n, 2) of the circles that the triangles of the surface join.
 
     LIGGGHTS joins neighboring triangles to one smooth surface if their angle is below a limit. This
     limit must be smaller than all corner angles of the triangles. To avoid slender triangles, the
@@ -44,7 +44,9 @@ def rings(orifice: float, barrel: float, height: float, slope: float) -> np.ndar
 def triangles(
     orifice: float, barrel: float = BARREL, height: float = HEIGHT, slope: float = SLOPE
 ) -> np.ndarray:
-    """Return the triangles of the surface (n, 3, 3). Its sections have the areas of circles.
+    """Return the corners (n, 3, 3) of the triangles of the surface.
+
+    Each horizontal section is a polygon with the area of the circle that it replaces.
 
     Args:
         orifice, barrel: Diameters of orifice and barrel.

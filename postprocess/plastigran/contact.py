@@ -127,9 +127,9 @@ class Contact:
             overlaps: Overlaps (N,) [m].
 
         Returns:
-            (N,) rows with the columns overlap [m], force [N], contact_radius [m], elastic_energy
-            [J] (recoverable) and plastic_work [J] (dissipated). A law with adhesion also has the
-            column surface_energy [J].
+            N rows with the columns overlap [m], force [N], contact_radius [m], elastic_energy [J]
+            (recoverable) and plastic_work [J] (dissipated). A law with adhesion also has the column
+            surface_energy [J].
 
         Warns:
             RangeWarning: An overlap exceeds the range of the law.
@@ -224,9 +224,10 @@ class Contact:
             )
 
     def impact(self, speeds: ArrayLike) -> laws.ImpactOutcome:
-        """Compute central impacts at closing speeds [m/s].
+        """Compute central impacts.
 
-        The results are arrays of the shape of `speeds`.
+        Args:
+            speeds: Closing speeds [m/s], a number or an array. The results have the same shape.
 
         Raises:
             ValueError: A speed is out of range, or no body has a mass.
@@ -283,7 +284,10 @@ class Contact:
         return ObliqueOutcome(*values)
 
     def restitution(self, speeds: ArrayLike) -> float | np.ndarray:
-        """Return the coefficient of restitution at closing speeds [m/s] of any shape.
+        """Return the coefficient of restitution of central impacts [-].
+
+        Args:
+            speeds: Closing speeds [m/s], a number or an array. The result has the same shape.
 
         Raises:
             ValueError: A speed is out of range, or no body has a mass.

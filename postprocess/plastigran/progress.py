@@ -30,7 +30,7 @@ class ProgressBar(tqdm):
 
     def reset(self, total: float | None = None) -> None:
         """Start the bar again; `total` replaces the earlier total."""
-        # Prevent the constructor from drawing a bar at zero.
+        # Prevent tqdm.reset() from drawing a bar at zero.
         display, self.display = self.display, lambda *_, **__: False
         try:
             super().reset(total)

@@ -23,5 +23,5 @@ STEADY_FLOWS = {
 
 
 def short_settings(deck: str, label: str = "") -> dict[str, object]:
-    """Return the settings of the steady flow of a deck, or else of its brief run."""
+    """Return the settings of a deck in `STEADY_FLOWS`, or of its brief run if it is not there."""
     return STEADY_FLOWS.get(deck) or dict(deck_class(deck).briefs[label].settings)

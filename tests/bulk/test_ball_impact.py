@@ -69,7 +69,11 @@ def test_ball_must_start_above_the_bed():
 
 
 def test_an_impossible_bed_removes_no_earlier_run(tmp_path, brief_run):
-    """The run also ends at the given duration, although 0.004 s / 1e-6 s / 40 exceeds 100."""
+    """Refused settings of a bed leave the files of an earlier run unchanged.
+
+    The earlier run ends at the given duration: round-off of 0.004 s / 1e-6 s / 40, slightly above
+    100, adds no steps.
+    """
     whole = brief_run("ball_impact", "")
     assert whole.series["time"].iloc[-1] == pytest.approx(SHORT["duration"], rel=1e-12)
     run = tmp_path / "run"

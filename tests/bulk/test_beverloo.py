@@ -53,7 +53,7 @@ def test_change_of_the_rate_differs_from_scatter():
     half = series["counted"].between(275, 500)
     series.loc[half, "counted"] = 275 + 0.9 * (series.loc[half, "counted"] - 275)
     discharge = measure_discharge(series, 0.08, DIAMETER, DENSITY, GRAVITY, *SPHERES)
-    # The boundary of the halves may be one row beside the change of the rate, which alters the
+    # The boundary of the halves may be one row away from the change of the rate, which alters the
     # difference by up to 5 %.
     assert discharge.change == pytest.approx(-80 * MASS, rel=0.05)
     assert abs(discharge.change) > 4 * discharge.change_error

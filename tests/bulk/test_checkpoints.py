@@ -33,7 +33,10 @@ def copied(short_gas, tmp_path) -> Path:
 
 
 def test_checkpoint_beyond_the_log_is_not_the_newest(short_gas, cut_log):
-    """LIGGGHTS may still have been writing this checkpoint when it stopped."""
+    """A checkpoint after the last complete log line is not used.
+
+    LIGGGHTS may still have been writing it when it stopped.
+    """
     stopped = cut_log(lines=8)
     steps = read_series(short_gas)["step"]
     # Of the log lines 0 to 24, number 15 is the last complete one. Even lines have a checkpoint.
@@ -43,10 +46,10 @@ def test_checkpoint_beyond_the_log_is_not_the_newest(short_gas, cut_log):
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_incomplete_checkpoint_is_not_the_newest(short_gas, ranks, tmp_path):
-    """A full disk truncates a checkpoint or fills its rest with zeros, while the log continues.
+    """An incomplete checkpoint is not used: a full disk truncates it or fills its rest with zeros.
 
-    There are no checksums, as after a kill. Zeros at the end of a complete file stand for ranks
-    without particles.
+    The test removes the checksums, which are missing after a kill, too. Zeros at the end of a
+    complete file stand for ranks without particles.
     """
     folder = tmp_path / "full"
     if ranks == 1:
@@ -71,7 +74,7 @@ def test_incomplete_checkpoint_is_not_the_newest(short_gas, ranks, tmp_path):
 
 
 def test_missing_checkpoint_is_an_error(tmp_path):
-    """A checkpoint beyond the log and an incomplete one do not count."""
+    """An incomplete checkpoint does not count, and no checkpoint counts without a log."""
     (tmp_path / "checkpoint.100.restart").write_bytes(b"half")
     with pytest.raises(EngineError, match="no complete checkpoint"):
         newest_checkpoint(tmp_path)
@@ -144,7 +147,7 @@ def test_sha256sum_accepts_the_checksums(short_gas):
 
 
 def test_rewritten_checkpoint_gets_a_new_checksum(copied):
-    """A deck may restart its step count and write files of the same names."""
+    """A checkpoint that LIGGGHTS writes again gets a new checksum, as after `reset_timestep`."""
     first, second, *_ = checkpoints(copied)
     written = first.with_name(f"{first.name}.sha256").stat().st_mtime_ns
     shutil.copyfile(second, first)
@@ -155,7 +158,7 @@ def test_rewritten_checkpoint_gets_a_new_checksum(copied):
 
 
 def test_failure_to_write_a_checksum_gives_one_warning(copied):
-    """LIGGGHTS continues, and the warning is not repeated."""
+    """If checksums cannot be written, there is one warning for all of them."""
     for file in copied.glob("*.sha256"):
         file.unlink()
         (copied / f"{file.name}.new").mkdir()
@@ -167,7 +170,7 @@ def test_failure_to_write_a_checksum_gives_one_warning(copied):
 
 
 def test_damaged_checkpoint_of_a_users_deck_is_refused(copied, tmp_path):
-    """The path of the checkpoint is relative to the folder of the deck."""
+    """Damage is also found if the path of the checkpoint is relative to the folder of the deck."""
     file = checkpoints(copied)[0]
     file.write_bytes(file.read_bytes()[:-1] + b"!")
     deck = tmp_path / "own.in"

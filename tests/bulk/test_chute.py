@@ -70,7 +70,9 @@ def test_glued_base_stays(flowed):
 
 @pytest.mark.parametrize(("power", "fits"), [(1.5, True), (0.5, False), (3.0, False)])
 def test_profile_differs_from_others(power, fits):
-    """Grains at height z have the speed h^p - (h - z)^p; Bagnold's profile has p = 3/2. The
+    """Bagnold's profile fits a flow with p = 3/2, but not flows with other powers p.
+
+    Grains at height z in a flow of depth h have a speed proportional to h^p - (h - z)^p. The
     relative tolerance is 0.01, because the fit sorts heights into bins and takes the depth from
     their mean.
     """

@@ -128,7 +128,7 @@ def test_punch_work_of_a_spring():
 
 
 def test_punch_covers_the_die():
-    """The sides of the triangle touch the circle of the die."""
+    """The punch is a triangle; the midpoints of its sides lie on the circle of the die."""
     corners = make_punch.triangle()
     assert np.linalg.norm((corners + np.roll(corners, 1, axis=0)) / 2, axis=1) == pytest.approx(1)
 

@@ -21,7 +21,10 @@ def gas(**changes) -> CoolingGas:
 
 
 def test_follows_mean_field(yielding_gas):
-    """The check allows an error of 8 % plus four standard deviations; the gas cools by far more."""
+    """The temperature follows the mean-field theory within the limit of the deck's check.
+
+    This limit is 8 % plus four standard deviations. The gas cools by far more: by at least 60 %.
+    """
     assert yielding_gas.passed
     series = yielding_gas.series
     assert series["temperature"].iloc[-1] < 0.4 * series["temperature"].iloc[0]
@@ -29,7 +32,11 @@ def test_follows_mean_field(yielding_gas):
 
 
 def test_viscoelastic_gas(tmp_path):
-    """Dissipation begins at step 0, after the mixing, and never stops."""
+    """A gas with a viscoelastic law cools from its initial temperature, 16.
+
+    The deck first mixes the grains without dissipation, so the temperature does not change
+    before step 0.
+    """
     values = {"law": "viscoelastic_hertz", "dissipative_constant": 1e-7, "timestep": 7e-8}
     values |= {"side": 6, "duration": 10, "rows": 10, "checkpoints": 1}
     run = run_bulk("cooling_gas", values, tmp_path / "run", show=False)
@@ -41,7 +48,7 @@ def test_viscoelastic_gas(tmp_path):
 
 
 def test_options_reach_the_theory():
-    """Options of the law change its restitution; other options of the model are ignored."""
+    """Options of the law change the mean loss of the theory; options of the model do not."""
     deck = gas(law="stronge", options="unloading area energy_ledger on")
     assert deck.grains.options == {"unloading": "area"}
     book, area = (
@@ -51,8 +58,9 @@ def test_options_reach_the_theory():
 
 
 def test_duration_is_in_collision_times(yielding_gas):
-    """The deck uses the collision rate of theory. The tolerance 1e-3 covers the end of the run,
-    which is rounded to a log line.
+    """The setting `duration` counts collision times of the theory at the initial temperature.
+
+    The tolerance 1e-3 covers the end of the run, which is rounded to a log line.
     """
     deck, series = yielding_gas.deck, yielding_gas.series
     times = series["time"].iloc[-1] * float(deck.gas().collision_rate(deck.temperature))

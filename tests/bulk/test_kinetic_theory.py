@@ -18,8 +18,9 @@ def constant(e: float):
 
 
 def yielding(speed):
-    """Return the restitution e of a law with 1 - e^2 = (1 - 1/g^2)/2 for speeds g above 1 m/s. Its
-    mean loss is exp(-1/(4T))/2.
+    """Return the restitution e of a law with 1 - e^2 = (1 - 1/g^2)/2 for speeds g above 1 m/s.
+
+    The mean of (1 - e^2) g^2/(4T) over the impacts of a gas at temperature T is exp(-1/(4T))/2.
     """
     return np.sqrt(1 - 0.5 * (1 - 1 / np.maximum(speed, 1) ** 2))
 
@@ -89,12 +90,12 @@ def test_contact_value_has_the_hard_spheres_virial_coefficients():
 
 
 def test_statistical_error_goes_with_the_number_of_grains():
-    """Four times as many grains halve the error. At first, it is the error of a random walk of
-    losses.
+    """Four times as many grains halve the error. At first, the error is that of a sum of
+    independent losses.
 
-    For e = 0, an impact removes m T l of the energy 3/2 N m T. The mean square of l, which is
-    exponentially distributed, is 2. After x impacts per grain, N x/2 in total, the relative
-    variance is N x/2 · 2 (2/(3N))^2 = 4x/(9N).
+    For e = 0, an impact removes m T l of the energy 3/2 N m T. The number l is exponentially
+    distributed with mean 1, so its mean square is 2. After x impacts per grain, N x/2 in total,
+    the relative variance is N x/2 · 2 (2/(3N))^2 = 4x/(9N).
     """
     times = np.linspace(0, 1, 5) * 1e-5
     errors = [

@@ -199,7 +199,7 @@ def test_deck_without_checkpoints_cannot_continue(plain, tmp_path):
 
 
 def test_run_that_restarted_its_step_count_cannot_continue(tmp_path):
-    """After `reset_timestep`, the steps of checkpoints do not show their order."""
+    """A run with `reset_timestep` cannot continue: steps do not show the newest checkpoint."""
     deck = write_deck(tmp_path / "falling", "thornton", "soft_granules")
     log = f"{table('Atoms', '0 5')}reset_timestep 0\n"
     folder = finished_run(tmp_path / "run", log, deck="falling")
@@ -230,8 +230,10 @@ def test_unknown_setting_is_refused(plain, tmp_path):
 
 
 def test_misspelt_law_is_refused(plain, tmp_path):
-    """The name is in a setting or in the model line. Models of LIGGGHTS or of the user are
-    accepted."""
+    """A misspelt law in a setting or in the model line is refused.
+
+    LIGGGHTS' own models and models of the user are accepted.
+    """
     template = write_deck(tmp_path / "falling", "thornton", "steel")
     message = r"{}\.in: contact model '{}' is unknown\. Use {}"
     with pytest.raises(ValueError, match=message.format("falling", "universl", "universal")):
@@ -267,8 +269,10 @@ def test_overlapping_spheres_pass_the_checks(ranks, tmp_path):
 
 
 def test_run_without_contacts_has_a_note(tmp_path):
-    """The energy balance has nothing to check while the grains of the template fall the first 60
-    mm."""
+    """A run in which no grains touch has a note, because its energy balance shows nothing.
+
+    In the template, the grains fall 60 mm before they touch.
+    """
     deck = write_deck(tmp_path / "falling", "thornton", "steel")
     run = run_bulk(deck, {"duration": 0.002}, tmp_path / "run", show=False)
     assert any("Check whether grains touched" in note for note in run.notes)

@@ -21,7 +21,7 @@ AFTER_CLEAR = table(f"Time {ENERGIES}", "0 0 2 0 0 0 0 0", "20 2e-5 1 0 1 0 0 0"
 
 
 def test_runs_that_restart_the_step_count_are_all_kept(plain, tmp_path):
-    """Consecutive runs share one line for the step at which they meet."""
+    """The series has all runs, also if steps repeat; consecutive runs share one row."""
     text = PLAIN.replace("run 500", "run 200\nreset_timestep 0\nrun 500")
     plain.write_text(text, encoding="latin-1")
     series = run_bulk(plain, {}, tmp_path / "run", show=False).series
@@ -30,7 +30,7 @@ def test_runs_that_restart_the_step_count_are_all_kept(plain, tmp_path):
 
 
 def test_energy_balance_is_checked_over_every_run(tmp_path):
-    """The second run has the steps of the first run again, and loses energy."""
+    """The check of the energy balance covers a second run that repeats steps of the first run."""
     log = BEFORE_CLEAR
     log += table(f"Time {ENERGIES}", "0 0 0.5 0 0.5 0 0 0", "10 1e-5 0.2 0 0.4 0 0 0.4")
     run = pg.open(finished_run(tmp_path / "run", log))
@@ -39,7 +39,7 @@ def test_energy_balance_is_checked_over_every_run(tmp_path):
 
 
 def test_energy_balance_is_checked_for_each_simulation(tmp_path):
-    """`clear` begins a simulation without losses and with its own time step."""
+    """The energy balance is checked separately after `clear`, which resets losses and time step."""
     first = "timestep 1e-6\n" + table(ENERGIES, "0 1 0 0 0 0 0", "10 0.5 0 0.5 0 0 0")
     second = table(ENERGIES, "10 4 0 0 0 0 0", "20 3 0 1 0 0 0.04")
     run = pg.open(finished_run(tmp_path / "run", f"{first}clear\ntimestep 2e-6\n{second}"))
@@ -60,7 +60,8 @@ def test_continued_run_belongs_to_the_last_simulation(tmp_path):
     assert run.series["simulation"].tolist() == [0, 0, 1, 1, 1]
     assert_allclose(np.diff(run.series["time"].iloc[2:]), 2e-5)
     assert run.notes == [
-        "the energy balance restarts at each `clear`. All parts are checked; the last one is drawn"
+        "the energy balance restarts at each `clear`. It was checked for every simulation between "
+        "`clear` commands, and drawn for the last simulation"
     ]
 
 
@@ -88,7 +89,7 @@ def test_time_accumulates_over_runs(columns, plain, tmp_path):
     ["", "timestep ${mine}\n", "timestep 1e-6\nfix a all dt/reset 1 1e-9 1e-6 1e-9 units box\n"],
 )
 def test_unknown_time_step_gives_no_time(commands, tmp_path):
-    """The energy balance is checked anyway."""
+    """If the time step is unknown, the series has no time, but the energy balance is checked."""
     log = commands + table(ENERGIES, "0 1 0 0 0 0 0", "10 0.5 0 0.5 0 0 0")
     run = pg.open(finished_run(tmp_path / "run", log))
     assert "time" not in run.series and run.passed and len(run.checks) == 2
@@ -103,7 +104,7 @@ def test_varying_time_step_gives_no_time(tmp_path):
 @pytest.mark.parametrize(
     ("log", "before", "times"),
     [
-        # A run of no steps takes no time.
+        # The first run has no steps and takes no time.
         (table("Atoms", "0 1") + "timestep 1e-6\n" + table("Atoms", "0 1", "10 1"), "", [0, 1e-5]),
         # The checkpoint lies between two lines of the earlier log.
         (
@@ -144,14 +145,14 @@ def test_log_without_lines_gives_an_empty_series(tmp_path):
 
 
 def test_frames_of_repeated_steps_have_the_later_time(tmp_path):
-    """LIGGGHTS overwrites a frame of the first run when the second run has the same step."""
+    """A frame whose step occurs in two runs has the time of the second run, which overwrites it."""
     log = table("Time", "0 0", "10 1", "20 2") + table("Time", "0 2", "10 3")
     run = pg.open(finished_run(tmp_path / "run", log))
     assert [time_of(run, step) for step in (0, 5, 10, 20)] == [2, 2.5, 3, 2]
 
 
 def test_equal_column_names_are_numbered(tmp_path):
-    """LIGGGHTS truncates long names."""
+    """Columns with equal names get numbers, because LIGGGHTS truncates long names."""
     log = tmp_path / "log"
     log.write_text("Step kinetic_ kinetic_\n0 1 2\n10 3 4\nLoop time of 1\n")
     columns = read_thermo(log)

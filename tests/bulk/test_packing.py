@@ -25,7 +25,7 @@ def test_spheres_do_not_overlap_and_are_inside():
     first, second = np.triu_indices(400, 1)
     assert np.linalg.norm(places[first] - places[second], axis=1).min() > 2
     outside = np.maximum(1 - places, places + 1 - side)
-    assert outside.max() < 10 * packing.JITTER * 2  # largest last displacement
+    assert outside.max() < 10 * packing.JITTER * 2  # 10 standard deviations of a move
     assert (random_packing(1, *in_cube(side), seed=3) == places).all()
     assert (random_packing(1, *in_cube(side), seed=4) != places).any()
 

@@ -74,7 +74,7 @@ def test_a_run_far_beyond_the_range_fails(tmp_path, capsys):
 
 
 def test_the_range_is_that_of_all_runs_and_simulations():
-    """The log also has the ranges of the runs that this run continues."""
+    """The excess of a law is the largest one in all runs of the log, also in continued runs."""
     lines = "plastigran range universal contacts=1 furthest={}\n"
     text = (
         lines.format(30) + lines.format(1.2) + "plastigran range thornton contacts=2 furthest=3\n"
@@ -83,8 +83,10 @@ def test_the_range_is_that_of_all_runs_and_simulations():
 
 
 def test_contacts_that_go_deeper_in_a_later_run_count(tmp_path):
-    """Compressing the grain in one run or in two gives the same excess to 1e-9, the log's
-    precision."""
+    """Compressing the grain in one run or in two gives the same excess.
+
+    The excess is overlap / largest valid overlap; the tolerance 1e-9 is the precision of the log.
+    """
     whole, split = (
         run_bulk(
             write(tmp_path, density=8000, velocity=-5, steps=steps), {}, tmp_path / name, show=False
@@ -105,7 +107,7 @@ def test_elastic_contacts_beyond_the_range_give_a_warning(tmp_path):
 
 
 def test_the_range_is_in_the_log_before_a_run_ends(tmp_path):
-    """A killed run has only the lines before `Loop time`."""
+    """The log has the excess before the line `Loop time`, which a killed run lacks."""
     deck = write(tmp_path, density=8000, velocity=-1, steps=1500)
     log = (run_bulk(deck, {}, tmp_path / "run", show=False).folder / "log.liggghts").read_text()
     assert find_excess(log.split("Loop time")[0])["universal"] > 5
@@ -131,7 +133,7 @@ def test_a_continued_run_keeps_the_largest_excess(tmp_path):
 
 
 def test_a_run_without_contacts_passes_no_check(tmp_path):
-    """The page of the report states the reason."""
+    """A run in which no grains touch passes no check, and the report states the reason."""
     deck = write(tmp_path, density=8000, velocity=1, low=0.001005, steps=10)
     assert main(["bulk", str(deck), "--output", str(tmp_path / "run")]) == 0
     section = make_section(collect([tmp_path / "run"])[0])

@@ -120,7 +120,7 @@ def test_continuing_a_finished_run_computes_nothing(short_gas, tmp_path, capsys)
 def test_run_killed_before_its_first_checkpoint_continues_from_its_start(
     short_gas, cut_log, tmp_path
 ):
-    """The run is stopped twice; nothing of its first part is lost."""
+    """A run that is stopped twice continues from its start; nothing of its first part is lost."""
     first = cut_log(lines=8)
     second = tmp_path / "second"
     run_bulk("cooling_gas", {}, second, restart=first, show=False)

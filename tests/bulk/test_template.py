@@ -42,7 +42,7 @@ def test_template_runs_and_continues(tmp_path, capsys):
 
 
 def test_default_template_stays_within_the_range_of_its_law(tmp_path):
-    """Grains of the default material yield when they fall."""
+    """In the default template, falling grains yield but stay within the range of the law."""
     assert main(["new-deck", str(tmp_path / "mine")]) == 0
     run = run_bulk(tmp_path / "mine" / "mine.in", {}, tmp_path / "run", show=False)
     assert run.passed and run.series["plastic"].iloc[-1] > 0
@@ -50,7 +50,8 @@ def test_default_template_stays_within_the_range_of_its_law(tmp_path):
 
 
 def test_falls_beyond_the_range_of_the_law_are_noted(tmp_path, capsys):
-    """The default material of the previous test stays within the range and gets no note."""
+    """`new-deck` prints a note for a soft material whose falling grains exceed the range of the
+    law."""
     assert main(["new-deck", str(tmp_path / "hard")]) == 0
     assert "note" not in capsys.readouterr().out
     assert main(["new-deck", str(tmp_path / "soft"), "--material", "soft_granules"]) == 0

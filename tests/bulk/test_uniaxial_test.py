@@ -51,7 +51,7 @@ def test_free_sample_is_strong(test_run):
 
 
 def test_without_adhesion_there_is_no_strength(test_run, other):
-    """Without adhesion, the free sample collapses; before, it is denser than with adhesion."""
+    """Without adhesion, the sample is denser, and collapses when the mold is removed."""
     loose = strength_of(other(surface_energy=0, adhesion_ratio=0))
     assert loose.ratio < 0.01
     assert loose.porosity < strength_of(test_run).porosity - 0.02

@@ -136,7 +136,7 @@ def test_expected_error_depends_on_hardening_and_contact_radius():
 
 
 def test_expected_error_is_unknown_for_other_pairs():
-    """The finite-element results are for spheres on a rigid plane."""
+    """The error is known only for spheres on a rigid plane, which the finite elements cover."""
     drops = DropTest([0.5, 2.0], [0.8, 0.6])
     assert calibrate(**STEEL, drops=drops).expected_error.restitution is not None
     on_glass = attrs.evolve(drops, plate=read_material("glass_kp10"))
@@ -168,7 +168,7 @@ def test_material_file_reads_back(tmp_path):
         ({"yield_strength": 250}, "yield_strength is 250 Pa; .* between 2.06e[+]05 and 6.18e[+]10"),
         ({"hardness": 200, "youngs_modulus": 206}, r"is 206; .*Check the unit: Pa, not MPa or GPa"),
         ({"hardness": 200, "density": 7.85}, r"is 7.85; .*Check the unit: kg/m\^3, not g/cm\^3"),
-        ({"hardness": 200, "law": "hertz"}, "it must be a law for spheres with yield"),
+        ({"hardness": 200, "law": "hertz"}, "it must be a law for yielding spheres"),
         ({"hardness": 200, "plastic_modulus": 1e11}, "plastic_modulus is 1e[+]11 Pa; for 200 HV"),
         ({"leeb": "500HLX"}, "leeb is '500HLX'; it must be a number and a device of HLD, HLG, HLC"),
         ({"leeb": 5}, r"leeb is 5; it must lie from 100 to 1000"),
@@ -233,7 +233,10 @@ def test_other_metals_get_a_note_on_the_strain_rate():
 
 
 def test_trend_of_the_deviation_with_speed_gives_a_note():
-    """The restitutions follow `thornton`; those of `universal` decrease less with speed."""
+    """A note appears if the measured restitutions depend on speed in another way than the law.
+
+    The measurements follow `thornton`; restitution by `universal` decreases less with speed.
+    """
     metal = Material("metal", **STEEL, yield_strength=6e8)
     speeds = np.geomspace(0.3, 3, 8)
     impacts = pg.Contact("thornton", metal, pg.RIGID, radius=5e-3).impact(speeds)
@@ -248,7 +251,7 @@ def test_trend_of_the_deviation_with_speed_gives_a_note():
 
 
 def test_conversions_of_other_metals_give_a_note():
-    """Vickers hardness needs no conversion."""
+    """A Rockwell hardness of a metal other than steel gives a note; a Vickers hardness does not."""
     titanium = {"youngs_modulus": 1.14e11, "poissons_ratio": 0.34, "density": 4430}
     note = r"for steel \(table 1 of ASTM E140\); for another metal, measure HV"
     assert has_note(calibrate(**titanium, hardness="36HRC"), note)

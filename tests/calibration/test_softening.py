@@ -85,7 +85,10 @@ def test_lowest_factor_reaches_the_sound_overlap():
 
 @pytest.mark.parametrize("law", ["hertz", "thornton", "universal"])
 def test_lowest_factor_carries_the_bed(law):
-    """The weight stays while the strength decreases, so grains that yield overlap more."""
+    """At the lowest factor, grains at rest in a bed reach the largest sound overlap.
+
+    Softening lowers the yield strength but not the weight, so yielding grains overlap more.
+    """
 
     def rest(factor):
         return resting_overlap(soften(STEEL, factor), RADIUS, 1.0, law)

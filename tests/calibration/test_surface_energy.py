@@ -136,7 +136,7 @@ SMALL, YIELDING = ["--radius", "1e-6"], ["--law", "thornton_ning_1998"]
             ["--yield", "1e7", "--radius-other", "1"],
             "--radius-other is 1, but has no effect without --pull",
         ),
-        (["--yield", "1e7", *YIELDING], "it must be a law for spheres with yield, but without"),
+        (["--yield", "1e7", *YIELDING], "it must be a law for yielding spheres, without"),
         ([], "no measurement given; exactly one of --yield, --hardness"),
         (["--yield", "1e7", "--hardness", "20"], "--yield and --hardness given; exactly one of"),
     ],

@@ -128,7 +128,7 @@ def test_dry_runs_print_commands_and_write_nothing(tmp_path, capsys):
     line = ["--output", str(folder), "--dry-run"]
     assert main(["bulk", "cooling_gas", "--ranks", "2", "-v", "side=4", *line]) == 0
     place, typed, _ = capsys.readouterr().out.splitlines()
-    # If the path of the inputs has a space, a link to them is created between these steps.
+    # If the path of the inputs has a space, a command between `mkdir` and `cd` links to them.
     steps = shlex.split(place)
     assert steps[:4] == ["mkdir", "-p", str(folder), "&&"]
     assert steps[-2:] == ["cd", str(folder)]
@@ -136,7 +136,7 @@ def test_dry_runs_print_commands_and_write_nothing(tmp_path, capsys):
     assert words[:4] == ["mpirun", "--oversubscribe", "-np", "2"]
     assert words[-3:] == ["-var", "side", "4"]
     assert main(["bulk", "ball_impact", *line]) == 0
-    needed = f"need initial positions, which a run writes to {folder} first"
+    needed = f"reads initial positions, which `bulk` writes to {folder} first"
     assert needed in capsys.readouterr().out
     assert main(["impact", "--law", "thornton", "--points", "3", *line]) == 0
     assert "3 runs; nothing was started" in capsys.readouterr().out

@@ -41,7 +41,7 @@ def test_a_radius_in_mm_gives_one_warning(line, tmp_path, capsys):
 
 @pytest.mark.parametrize(("line", "message"), REFUSED)
 def test_an_absurd_radius_or_speed_is_refused(line, message, tmp_path, capsys):
-    """The message states the allowed range; it is not an internal error."""
+    """The command fails with a message that states the allowed range."""
     assert exit_code(line.format(folder=tmp_path / "out")) in (1, 2)
     assert message in capsys.readouterr().err
 

@@ -73,7 +73,7 @@ class Spheres:
 
 
 class RatedSpheres(Spheres):
-    """Spheres whose strength depends strongly on the strain rate, so that it differs by impact."""
+    """Spheres whose strength depends strongly on the strain rate of the impact."""
 
     rate: ClassVar = {"rate_coefficient": 1.0, "reference_rate": 0.3}
     material: Material = evolve(Spheres.material, **rate)
@@ -94,7 +94,11 @@ class MappedSpheres(Spheres):
 
 
 class Cylinders(Spheres):
-    """Discs of 1 m length, of an aluminum that yields at the speeds of the spheres."""
+    """Cylinders of 1 m length, which are discs in the two-dimensional decks.
+
+    The yield strength of their aluminum is reduced, so that they yield at the impact speeds of the
+    spheres.
+    """
 
     hertzian = False
     material: Material = evolve(read_material("aluminium_zv02"), yield_strength=3e7)

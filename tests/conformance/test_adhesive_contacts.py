@@ -41,9 +41,10 @@ def ten_impacts(law: str) -> tuple[list[str], float]:
 
 @pytest.mark.parametrize("law", CONSTANTS)
 def test_restitution_at_a_wall_is_that_of_the_law(law, tmp_path):
-    """The ten speeds are below and above the sticking speed; `jkr` also follows the closed form.
+    """Restitution at ten speeds below and above the sticking speed follows the law.
 
-    The restitution has an error of up to 1e-3, because the time step is half the recommended one.
+    The restitution of `jkr` also follows its closed form. The time step, half the recommended one,
+    causes an error of up to 1e-3.
     """
     bodies, timestep = ten_impacts(law)
     steps = int(5e-7 / timestep)  # the slowest grain then has left

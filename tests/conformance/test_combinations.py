@@ -131,7 +131,7 @@ SLIPPING = {
         "tangential partial_slip rolling_friction epsd2", options="rings 8"
     ),
     "2 rings": Contact("tangential partial_slip", options="rings 2"),
-    # After a restart, the history values of both options follow in the same order.
+    # A restart file must keep the order of history values: those of `rings` and of `adhesion`.
     "8 rings and adhesion": Contact(
         "tangential partial_slip",
         options="rings 8 adhesion jkr",
@@ -188,7 +188,7 @@ def test_an_unyielding_law_is_the_engines_hertz(contact, tmp_path):
     stock = start(deck(contact, "hertz"), tmp_path / "stock")
     assert_alike(ours, stock, 1e-9)
     plain = start(deck(Contact(), strength=NO_YIELD), tmp_path / "plain")
-    assert ((plain - ours).abs().max() > 1e-4 * plain.abs().max()).any(), "it has no effect"
+    assert ((plain - ours).abs().max() > 1e-4 * plain.abs().max()).any(), "models have no effect"
 
 
 @every_contact
@@ -235,8 +235,9 @@ communicate     single vel yes
     ],
 )
 def test_contacts_remember_when_grains_come(name, ranks, tmp_path):
-    """The motion is bitwise identical with and without a distant grain that is created between two
-    runs.
+    """A distant grain that is created between two runs does not change the motion of the others.
+
+    The motion is bitwise identical, so the contacts keep their history.
 
     On two ranks, LIGGGHTS' hertz itself loses liquid, and it crashes with multicontact.
     """
@@ -253,8 +254,8 @@ def test_contacts_remember_when_grains_come(name, ranks, tmp_path):
 
 @pytest.mark.parametrize("name", ["sjkr", "sjkr2", "sjkr alone", "sjkr and epsd", *SLIPPING])
 def test_the_ledger_closes(name, tmp_path):
-    """The work of cohesion during approach counts as negative elastic energy. The balance error is
-    below 3e-4 of the largest kinetic energy, an error of the time integration.
+    """The balance error is below 3e-4 of the largest kinetic energy, an error of the time
+    integration. The work of cohesion during approach counts as negative elastic energy.
     """
     start(deck(ALL[name], ledger=True), tmp_path)
     table = read_thermo(tmp_path / "log.liggghts")
@@ -275,7 +276,10 @@ def test_hertz_beside_a_tangential_law_is_an_unyielding_law(tangential, tmp_path
 
 
 def test_the_dashpot_of_hertz_is_counted(tmp_path):
-    """The balance error is below 3e-4 of the largest kinetic energy, as in the test above."""
+    """The energy balance counts the work of the dashpot of LIGGGHTS' own hertz.
+
+    The balance error is below 3e-4 of the largest kinetic energy, as in `test_the_ledger_closes`.
+    """
     elastic, damped = (f"Restitution peratomtypepair 2{4 * e}" for e in (" 1", " 0.5"))
     commands = deck(ALL["hertz and partial_slip"], ledger=True)
     assert elastic in commands
@@ -322,8 +326,10 @@ def test_what_is_not_counted_is_refused(name, said, tmp_path):
     ],
 )
 def test_ludings_friction_is_that_of_no_adhesion(luding, same, tmp_path):
-    """With ratios of one and without adhesion, Luding's friction equals LIGGGHTS' other model. They
-    agree to 1e-12 of the largest value, because the order of multiplications differs.
+    """Luding's friction with ratios of one and without adhesion equals LIGGGHTS' `history` model.
+
+    With rolling friction, it equals `history` and `epsd2`. The motions agree to 1e-12 of the
+    largest value, because the order of multiplications differs.
     """
     theirs = start(deck(LUDING[luding], damping="0 0 0 0"), tmp_path / "luding")
     other = start(deck(same), tmp_path / "same")

@@ -24,8 +24,8 @@ DECKS = Path(__file__).parent / "decks"
 LINE = "fix wall all wall/gran model ${law} tangential ${tangential} rolling_friction ${rolling} "
 CYLINDER = LINE + "primitive type 2 ycylinder 0.3 0 0 energy_ledger on"
 RADIUS = 0.1
-# A soft sphere moves along the bottom of a pipe that is three times as wide. Seen from the axis of
-# the pipe, its contact covers 2.7 degrees.
+# A soft sphere rolls across the bottom of a pipe of three times its radius. Seen from the axis of
+# the pipe, the contact covers 2.7 degrees.
 ROLLING = {"z": 1e-9 - 0.2, "vx": 5, "youngs_modulus": 7e9, "yield_strength": 2e7}
 
 
@@ -107,10 +107,10 @@ def test_a_fine_pipe_is_a_cylinder(tangential, tmp_path):
 
 @pytest.mark.parametrize("facets", [36, 90, 180, 360])
 def test_no_energy_is_made_in_a_pipe(facets, tmp_path):
-    """The balance error comes from the time step, during which a force keeps its direction.
+    """A quarter of the time step at least halves the balance error.
 
-    A quarter of the time step leaves at most half of the error. With narrow facets, the contacts of
-    LIGGGHTS itself create energy at any time step.
+    The error arises because a force keeps its direction during a time step. With narrow facets,
+    LIGGGHTS' own contacts create energy at any time step.
     """
     coarse = in_a_pipe(tmp_path / "coarse", facets, tangential="off")
     fine = in_a_pipe(tmp_path / "fine", facets, tangential="off", steps=20000, timestep=2.5e-6)

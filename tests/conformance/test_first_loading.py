@@ -69,7 +69,7 @@ def test_energies_go_on_where_tables_end(law_name, law_between, pair):
 
 
 def test_energy_guard_is_what_keeps_restitution_below_one():
-    """Without the guard, spheres rebound up to 6 % faster than they hit, by Stronge's law."""
+    """Without energy guard, Stronge's law predicts a restitution of 1.06; with it, at most 1."""
     pair = PAIRS["aluminium on rigid"]
     speed = 1.5 * central.yield_speed(pair, RADIUS, 1e-3)
     kept = laws.Stronge(pair).central_impact(RADIUS, 1e-3, speed)
@@ -79,7 +79,7 @@ def test_energy_guard_is_what_keeps_restitution_below_one():
 
 
 def test_every_choice_of_every_option_keeps_the_energy(law_name, law_between):
-    """Plastic work grows during first loading for every choice."""
+    """For every choice of every option, plastic work does not decrease during first loading."""
     pair = PAIRS["aluminium on rigid"]
     overlap_y, force_y = scales(law_name, pair)
     law_class = laws.LAWS[law_name]

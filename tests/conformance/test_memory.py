@@ -79,7 +79,10 @@ def test_memory_outlives_what_decks_do_between_runs(engine_law, tmp_path):
     ],
 )
 def test_memory_outlives_them_on_all_ranks(grid, variables, tmp_path):
-    """The contact of the pair lies on the border between ranks, at x = 0 and y = 0, and moves."""
+    """Contacts keep their history at all stages on one, two and four ranks.
+
+    The contact of the pair lies on the border between ranks, at x = 0 and y = 0, and moves.
+    """
     ranks = int(np.prod([int(number) for number in grid.split()]))
     between_runs("thornton", tmp_path, ranks, grid=grid, **variables)
 
@@ -87,7 +90,7 @@ def test_memory_outlives_them_on_all_ranks(grid, variables, tmp_path):
 def run_with(
     commands: str, law: str, folder: Path, deck: str = "held_commands", **variables
 ) -> str:
-    """Run a deck that includes these commands."""
+    """Run a deck that includes commands, which `; ` separates; return the log."""
     folder.mkdir(exist_ok=True)
     (folder / "commands.in").write_text(commands.replace("; ", "\n") + "\n")
     return scene(law).run(deck, folder, commands=folder / "commands.in", **variables)
@@ -96,8 +99,8 @@ def run_with(
 @pytest.mark.parametrize("ranks", [1, 2])
 @pytest.mark.parametrize("wall", ["plane", "mesh"])
 def test_memory_outlives_a_restart_file_without_the_lines(wall, ranks, tmp_path):
-    """A deck may write a restart file while the lines of the contacts are missing, and delete
-    particles before and after it.
+    """Contacts keep their history if a deck replaces and deletes their lines, writes a restart file
+    without them, deletes particles, and gives the lines again.
     """
     commands = (
         "pair_style gran model hertz tangential history; pair_coeff * *; unfix wall; "
@@ -111,7 +114,10 @@ def test_memory_outlives_a_restart_file_without_the_lines(wall, ranks, tmp_path)
 
 
 def test_memory_of_hertz_outlives_what_decks_do_between_runs(tmp_path):
-    """The pair_style line has LIGGGHTS' own model. The wall has a law, but only in later runs."""
+    """Contacts of LIGGGHTS' own hertz keep their history between runs, too.
+
+    The pair_style line has hertz in all runs. The wall gets a law before the second run.
+    """
     commands = (
         "unfix wall; "
         "fix wall all wall/gran model thornton tangential history primitive type 2 xplane -0.45; "
@@ -158,7 +164,7 @@ def test_contacts_of_another_line_begin_anew(owner, tmp_path):
     stays = [k for k in range(3) if k not in changed]
     assert ratio[stays] == pytest.approx(1, rel=1e-9)
     assert np.all(np.abs(ratio[changed] - 1) > 0.3)
-    assert np.all(np.abs(after[changed, 1]) < 1e-3 * np.abs(before[changed, 1])), "the springs"
+    assert np.all(np.abs(after[changed, 1]) < 1e-3 * np.abs(before[changed, 1])), "springs remain"
 
 
 def test_a_wall_elsewhere_is_another(tmp_path):
@@ -171,12 +177,15 @@ def test_a_wall_elsewhere_is_another(tmp_path):
         "fix wall: contacts start without history, because the position of the wall changed" in log
     )
     before, after = held_forces(tmp_path)[[0, -1]]
-    assert abs(after[0, 1]) < 1e-3 * abs(before[0, 1]), "the spring"
+    assert abs(after[0, 1]) < 1e-3 * abs(before[0, 1]), "the tangential spring is stretched"
     assert after[1:] == pytest.approx(before[1:], rel=1e-9)
 
 
 def test_memory_that_ends_with_a_line_is_told_of(tmp_path):
-    """The models of the next line have no history, and LIGGGHTS has deleted the earlier history."""
+    """The log reports that history ends when models without history replace those of a line.
+
+    LIGGGHTS itself deletes the history then.
+    """
     log = run_with(
         "pair_style gran model hertz tangential off; pair_coeff * *", "stronge", tmp_path
     )
@@ -212,7 +221,7 @@ def test_restart_has_the_settings_of_the_line(tmp_path):
     assert len(rest) == len(whole)
     assert (rest.to_numpy() == whole.to_numpy()).all()
     other = read_dump(tmp_path / "other" / "trajectory.dump")
-    assert abs(other["vx"].iloc[-1] / rest["vx"].iloc[-1] - 1) > 0.01, "the settings do nothing"
+    assert abs(other["vx"].iloc[-1] / rest["vx"].iloc[-1] - 1) > 0.01, "the settings have no effect"
 
 
 @pytest.mark.parametrize(
@@ -236,7 +245,10 @@ def test_restart_with_another_law_is_refused(owner, commands, variables, tmp_pat
 @pytest.mark.parametrize("ranks", [1, 2])
 @pytest.mark.parametrize("geometry", GEOMETRIES)
 def test_a_restart_with_other_constants_is_told_of(geometry, ranks, tmp_path):
-    """The log reports other constants, because the old ones produced the residual indentations."""
+    """The log reports constants that differ from the restart file.
+
+    The residual indentations of the contacts belong to the constants of the file.
+    """
     case = {"geometry": geometry, "after": 1}
     bodies = scene("stronge")
     bodies.run("restart_write", tmp_path, before=40, **case)
@@ -256,7 +268,7 @@ def test_other_constants_between_runs_are_told_of(tmp_path):
     assert log.count("pair_style: contacts continue with other constants") == 1
     elastic = {"tangential": "off", "yield_strength": 1e30}
     log = run_with(f"unfix yield_strength; {other}", "stronge", tmp_path, **elastic)
-    assert "other constants" not in log, "nothing is remembered"
+    assert "other constants" not in log, "contacts without history have no earlier constants"
     another = "pair_style gran model thornton tangential history; pair_coeff * *"
     log = run_with(another, "stronge", tmp_path)
     assert "start without history" in log and "other constants" not in log
@@ -291,7 +303,8 @@ def test_a_default_that_is_said_is_the_same_constant(tmp_path):
 
 @pytest.mark.parametrize("fix", ["range", "step", "motion", "history"])
 def test_own_fixes_may_be_removed(fix, tmp_path):
-    """The next run is set up again, even with `pre no`, and has the same forces."""
+    """If a deck removes a fix of the plugin, the next run is set up, even with `pre no`, and has
+    the same forces."""
     log = run_with(f"unfix plastigran_{fix}; run 2 pre no", "thornton", tmp_path)
     assert_held(held_forces(tmp_path), ("held",) * 5)
     assert log.count("Setting up run") == 5

@@ -96,7 +96,7 @@ def test_two_spheres_are_the_fitted_sphere(sphere_law, body, stiffness, law_betw
 
 
 def test_the_fits_to_one_sphere_differ_in_the_other_reading():
-    """With the option that uses the effective constants of the pair, a law is not symmetric."""
+    """With `reading pair`, laws use the effective constants of the pair and are not symmetric."""
     steel, found = BODIES["hardening_steel"], {}
     for name, law in laws.LAWS.items():
         if "reading" not in {row["name"] for row in law.options()}:

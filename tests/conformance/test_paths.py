@@ -3,8 +3,8 @@
 
 The tests find the laws by their files.
 
-A rate-dependent law is followed at rate zero, where it must be path-explicit as all others. The
-effect of its rate has tests in tests/verification.
+A rate-dependent law is followed at rate zero, where it must be path-explicit like all other laws.
+Tests in tests/verification check the effect of its rate.
 
 Overlaps are scaled by the overlap at yield, and forces by the force at yield. So one set of paths
 reaches every regime of every law, for any size and material.

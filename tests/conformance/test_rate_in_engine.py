@@ -40,8 +40,9 @@ def test_impact_is_the_laws_at_its_rate(geometry, speed, law, tolerance, tmp_pat
 
 
 def test_history_is_as_long_as_before_when_off(tmp_path):
-    """With the rate factor, a restart file stores one more number per contact and particle. It also
-    has a longer text of constants, which this test removes.
+    """Without the rate factor, a restart file has one number less per contact and particle.
+
+    The file also has a shorter text of constants, which this test removes.
     """
     sizes = []
     for name, rate in {"off": {}, "on": RATE}.items():

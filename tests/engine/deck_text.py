@@ -17,7 +17,7 @@ def head(
 
     Args:
         box: Bounds of the box, as for `region block`.
-        skin: Neighbor skin [length].
+        skin: Neighbor skin, in the unit of length of `units`.
         types: Number of atom types.
         units: Units of LIGGGHTS.
         space: Lines for boundaries, and other lines that must come before the box.

@@ -131,7 +131,7 @@ def test_wrong_input_is_refused(changes, message, tmp_path):
     with pytest.raises(EngineError, match=message) as refusal:
         run(tmp_path, **changes)
     log = (tmp_path / "log.liggghts").read_text(errors="replace")
-    assert "Step" not in log, "it ran"
+    assert "Step" not in log, "LIGGGHTS accepted the input"
     if "it must be" in message:
         assert "(atom type 1)" in str(refusal.value)
 
@@ -198,7 +198,7 @@ def test_decks_without_a_wall_of_metal_refuse_its_constants(deck, message, name,
 
 
 def test_options_are_words(engine_law, tmp_path):
-    """Every choice of every option is accepted, and any other word refused."""
+    """Every choice of every option is accepted, and any other word is refused."""
     for option in laws.LAWS[engine_law].options():
         for choice in option["choices"]:
             setting = f"{option['name']} {choice}"

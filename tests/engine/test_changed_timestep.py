@@ -35,8 +35,8 @@ def last_position(folder: Path, more: str) -> float:
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_a_time_step_without_a_setup_is_refused(ranks, tmp_path):
-    """Otherwise, particles would move with the earlier time step, and everything else would use the
-    new one.
+    """A new time step is refused with `pre no`: particles would still move with the earlier time
+    step, and everything else would use the new one.
     """
     message = error_of(tmp_path, DECK + "timestep 1e-6\nrun 1000 pre no", ranks)
     assert "run ... pre no: timestep is 1e-06, but particles would move with 1e-05" in message
@@ -44,7 +44,10 @@ def test_a_time_step_without_a_setup_is_refused(ranks, tmp_path):
 
 
 def test_a_time_step_with_a_setup_is_taken(tmp_path):
-    """The particle moves from 0.1 m at 1 m/s during 1000 steps of 10 us and 1000 of 1 us."""
+    """A run with setup uses the new time step.
+
+    The particle moves from 0.1 m at 1 m/s during 1000 steps of 10 us and 1000 steps of 1 us.
+    """
     x = last_position(tmp_path, "timestep 1e-6\nrun 1000")
     assert x == pytest.approx(0.111, rel=1e-12)
 

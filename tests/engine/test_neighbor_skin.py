@@ -33,8 +33,8 @@ run             8000
 """
 
 
-#: Replaced words of the deck. `surface multicontact` keeps tangential springs of a plane that a
-#: sphere has left.
+#: Texts of the deck and their replacements, by case. With `surface multicontact`, LIGGGHTS keeps
+#: the tangential spring of a plane that a sphere has left, so this case has no springs.
 MODELS = {
     "universal": {"": ""},
     "hertz": {

@@ -47,11 +47,11 @@ def deck(**changes: object) -> str:
 
 
 def test_a_modulus_typed_in_gpa(engine_wall, tmp_path):
-    """The message quotes the earlier warning, which states the cause."""
+    """A ball that crosses a wall stops the run; the message quotes the warning with the cause."""
     text = error_of(tmp_path, deck(**TYPED_IN_GPA, **engine_wall))
     place = re.search(
         r"particle \d+ at \(\S+ \S+ (\S+)\) is about to cross a wall: the overlap is "
-        r"(\S+) of its radius",
+        r"(\S+) times its radius\.",
         text,
     )
     assert 0 < float(place[1]) < 0.05 * 0.005

@@ -78,9 +78,9 @@ def test_plugin_leaves_stock_models_alone(tmp_path):
 
 
 def test_liggghts_of_another_layout_is_refused(tmp_path):
-    """A LIGGGHTS that exports the superquadric atom style has larger structures.
+    """A LIGGGHTS with superquadric particles is refused, because its structures are larger.
 
-    In this test, a library with only this symbol replaces such a LIGGGHTS.
+    The plugin recognizes it by a symbol. In this test, a library exports only this symbol.
     """
     source = tmp_path / "superquadric.c"
     source.write_text("const char _ZTVN9LAMMPS_NS18AtomVecSuperquadricE[1] = {0};\n")

@@ -36,7 +36,10 @@ def bar(request, tmp_path):
 
 
 def test_time_left_covers_all_runs(bar):
-    """The second run of 900 steps is ten times as slow as the first one of 100 steps."""
+    """The estimate includes runs that have not started: here 900 steps after the first 100 steps.
+
+    A step of the second run takes ten times as long as a step of the first run.
+    """
     bar, log = bar
     write(log, f"run 100\n{HEAD}0 1\n50 1\n")
     assert line(bar, 5) == "deck: 50.0/1.00k steps, 00:05 so far, 01:35 to go"

@@ -26,7 +26,7 @@ def excess(geometry: str, law: str, speed: float, folder: Path, ranks: int = 1, 
 
 
 def vu_quoc_zhang_limit(pair: laws.MaterialPair, radius_eff: float) -> float:
-    # The law is calibrated up to 41 P_Y; the overlap of its range is rounded, here to 42 P_Y.
+    # The law is calibrated up to 41 P_Y; its range ends at 42 P_Y, which allows for rounding.
     law = laws.VuQuocZhang(pair)
     return law.overlap(radius_eff, 42 * law.yield_force(radius_eff), law.State())
 
@@ -58,8 +58,10 @@ CASES = [
 
 @pytest.mark.parametrize(("law", "speed", "limit"), CASES)
 def test_the_range_is_the_published_one(law, speed, limit, aluminium, tmp_path):
-    """The excess is the largest overlap divided by the largest valid overlap. The relative
-    tolerance 1e-3 covers the error of the time step and the distance between frames."""
+    """The log reports the largest overlap, divided by the largest overlap of the published range.
+
+    The relative tolerance 1e-3 covers the error of the time step and the distance between frames.
+    """
     model = CentralImpact(law, speed, aluminium, 0.1)
     reports = excess("sphere_wall", law, speed, tmp_path, timestep=model.timestep)
     assert [line[:2] for line in reports] == [(law, "1")]

@@ -72,9 +72,10 @@ def run(folder: Path, first: str, **values: object) -> tuple[np.ndarray, pd.Data
     ids=["nothing", "overlap", "speed"],
 )
 def test_a_run_of_no_steps_changes_nothing(change, values, tmp_path):
-    """Loads, rate factors and heat of contacts are bitwise identical. Changes by the deck after
-    `run 0` count as inserted energy. The balance error agrees to round-off, because sums have
-    another order.
+    """With and without `run 0`, the next run has bitwise the same motion, energies and heat.
+
+    Changes by the deck after `run 0` count as inserted energy. The balance error agrees to
+    round-off, because sums have another order.
     """
     values = {"rate_coefficient": 0.0, "change": change} | values
     path, entries = run(tmp_path / "plain", "", **values)

@@ -145,8 +145,8 @@ def test_unused_restitution_gives_a_warning(tmp_path):
 @pytest.mark.parametrize(
     ("pairs", "wall", "message"),
     [
-        ("thornton", "hertz", "pair_style has thornton; fix floor has a model of LIGGGHTS"),
-        ("hertz", "thornton", "pair_style has a model of LIGGGHTS; fix floor has thornton"),
+        ("thornton", "hertz", "pair_style has thornton; fix floor has one of LIGGGHTS' own models"),
+        ("hertz", "thornton", "pair_style has one of LIGGGHTS' own models; fix floor has thornton"),
         ("thornton", "stronge", "pair_style has thornton; fix floor has stronge"),
     ],
 )
@@ -158,7 +158,7 @@ def test_different_models_of_pairs_and_walls_give_one_warning(pairs, wall, messa
         more="hard_particles yes\n" + matrix("coefficientRestitution", "0.9"),
     )
     assert log.count(f"lines have different normal models: {message}") == 1
-    # The warning is right only if no line has a model of LIGGGHTS.
+    # The warning is right only if no line has one of LIGGGHTS' own models.
     assert ("coefficientRestitution is not used" in log) == (wall == "stronge")
 
 

@@ -93,7 +93,10 @@ def impact(
 @pytest.mark.parametrize("normal", ["thornton", "hertz"])
 @pytest.mark.parametrize("law", LAWS)
 def test_tangential_restitution_without_gain_of_energy(law, normal, tmp_path):
-    """The tolerance 0.008 of the tangential restitution was set before the first run."""
+    """Tangential restitution has the expected values, and no impact gains energy.
+
+    The tolerance of restitution, 0.008, was set before the first run.
+    """
     for angle, expected in zip(ANGLES, LAWS[law], strict=True):
         after = impact(tmp_path, law, angle, normal)
         assert after.along / sin(radians(angle)) == pytest.approx(expected, abs=0.008)
@@ -103,10 +106,11 @@ def test_tangential_restitution_without_gain_of_energy(law, normal, tmp_path):
 @pytest.mark.parametrize("law", LAWS)
 @pytest.mark.parametrize("normal", SPHERES)
 def test_plastic_impacts_gain_no_energy(normal, law, tmp_path):
-    """The rebound never has more energy than the impact without its plastic loss.
+    """The rebound energy never exceeds the impact energy minus the plastic loss.
 
-    Friction does not change the normal restitution, so a normal impact gives the normal energy. The
-    tolerance is 1e-3 of that energy, the error of the normal restitution at this time step.
+    Friction does not change the normal restitution, so an impact along the normal gives the
+    plastic loss. The tolerance is 1e-3 of the rebound energy of this impact, the error of
+    restitution at this time step.
     """
     steep = impact(tmp_path, law, 0, normal, 1e8)
     for angle in (1, 10, 45, 80):

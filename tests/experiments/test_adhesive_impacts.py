@@ -52,8 +52,9 @@ def test_impacts_stick_and_rebound(call, capsys):
 
 
 def test_the_remark_has_the_sticking_speed_of_each_sphere(call, capsys):
-    """The relative speed of two spheres is twice the speed of each sphere. R*, m* and E* are half
-    of their values at a wall.
+    """The output has two sticking speeds: the closing speed, and the speed of each sphere.
+
+    For two spheres, R*, m* and E* are half of their values at a rigid wall.
     """
     half = jkr_sticking_speed(GAMMA, RADIUS / 2, 0.6e9 / 0.91, 2 / 3 * np.pi * RADIUS**3 * 1350) / 2
     assert main([*call, *LAWS, "--speed", "0.1", "--geometry", "two_spheres", "--theory"]) == 0
@@ -106,7 +107,7 @@ def test_surface_energy_of_the_material(call, tmp_path, capsys):
 
 @pytest.mark.parametrize("mode", ["--theory", "--dry-run"])
 def test_a_rate_coefficient_is_refused_with_adhesion(call, mode, tmp_path, capsys):
-    """`jkr` does not yield, so it ignores the rate coefficient."""
+    """A rate coefficient is refused with adhesion, except for `jkr`, which ignores it."""
     (tmp_path / "powder.in").write_text(POWDER)
     rated = tmp_path / "rated.in"
     rated.write_text(POWDER + "variable rate_coefficient index 0.02\n")

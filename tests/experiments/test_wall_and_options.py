@@ -19,8 +19,10 @@ from plastigran.materials import RIGID, Material, read_material
     ids=["wall yields", "ball yields", "soft wall"],
 )
 def test_the_engine_has_the_wall_of_theory(geometry, ball, wall, tmp_path):
-    """The relative tolerance 2e-3 is twice the error of restitution at the recommended time
-    step."""
+    """Impacts on a wall of another material agree with theory.
+
+    The relative tolerance 2e-3 is twice the error of restitution at the recommended time step.
+    """
     case = CentralImpact("universal", 0.5, ball, 0.005, geometry, wall=wall)
     found, expected = case.run(tmp_path), case.predict()
     for name in ("coefficient_of_restitution", "force_max", "overlap_max"):
@@ -30,7 +32,7 @@ def test_the_engine_has_the_wall_of_theory(geometry, ball, wall, tmp_path):
 
 
 def test_a_rigid_wall_has_a_name():
-    """A sweep may contain the wall `rigid` together with materials."""
+    """In a sweep, `rigid` is a wall like the materials."""
     runs = CentralImpact.theory(law="thornton", speed=0.1, wall=["rigid", "copper", RIGID])
     assert runs.table["wall"].tolist() == ["rigid", "copper"]
     with pytest.raises(
@@ -59,7 +61,7 @@ def test_an_option_reaches_law_and_engine(tmp_path):
     expected = by_hand.coefficient_of_restitution
     assert case.predict().coefficient_of_restitution == expected
     plain = CentralImpact("universal", 2.0, "steel", 0.005).predict().coefficient_of_restitution
-    assert abs(expected - plain) > 5e-3 * plain, "the option must matter here"
+    assert abs(expected - plain) > 5e-3 * plain, "the option has no effect"
     found = case.run(tmp_path)
     assert found.coefficient_of_restitution == pytest.approx(expected, rel=2e-3)
 
@@ -99,7 +101,10 @@ def test_what_cannot_be_is_refused(changes, complaint):
     ],
 )
 def test_a_dented_wall_is_said(law, wall, options, said):
-    """Most laws describe spheres that flatten; `universal` has an option for a yielding flat."""
+    """A note appears if the wall yields but the law describes spheres that flatten.
+
+    With `yielding flat`, `universal` describes a yielding wall.
+    """
     runs = CentralImpact.theory(
         law=law, material="zirconia", speed=1.0, radius=0.005, wall=wall, options=options
     )
@@ -121,7 +126,7 @@ def test_options_go_to_the_laws_that_have_them():
 
 
 def test_a_law_of_dents_for_a_ball_that_flattens_is_said():
-    """The deck uses the option for a yielding flat, but the ball yields."""
+    """A note appears if the option describes a yielding flat but the ball yields."""
     case = {"law": "universal", "speed": 1.0, "material": "steel", "wall": "zirconia"}
     said = "Steel on Zirconia: the ball yields, but --options 'yielding flat' describes a"
     assert said in str(CentralImpact.theory(**case, options="yielding flat"))
@@ -130,7 +135,7 @@ def test_a_law_of_dents_for_a_ball_that_flattens_is_said():
 
 @pytest.mark.parametrize("name", ["rigid", "none", "default", "", "a/b", 304])
 def test_names_that_no_material_may_have(name):
-    """Tables and folders use these names with another meaning, or cannot contain them."""
+    """A material may not have a name that tables and folders use otherwise or cannot contain."""
     with pytest.raises(ValueError, match=f"name is {name!r}[;,] "):
         Material(name, **read_material("steel").variables())
 
@@ -142,7 +147,7 @@ def test_laws_may_be_any_iterable():
 
 
 def test_options_are_not_left_out_before_a_case_is_judged():
-    """Without these options, the bodies would overlap too far."""
+    """The overlap of a case is checked with its options; with defaults, it would be too large."""
     case = {"law": "universal", "speed": 134.0, "material": "steel", "radius": 0.005}
     (found,) = CentralImpact.plan(**case, options="yielding flat")
     assert found.options == "yielding flat"
@@ -151,7 +156,7 @@ def test_options_are_not_left_out_before_a_case_is_judged():
 
 
 def test_every_row_has_a_wall_and_options():
-    """Otherwise, a table of several geometries could not be read again."""
+    """Every row of a table has values for wall and options, so that the table can be read again."""
     runs = CentralImpact.theory(law="thornton", speed=0.1, geometry=["sphere_wall", "two_spheres"])
     assert runs.table["wall"].tolist() == ["rigid", "none"]
     assert runs.table["options"].tolist() == ["default", "default"]

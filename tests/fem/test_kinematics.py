@@ -136,7 +136,7 @@ def test_material_turned_inside_out_is_refused(gradient):
 
 
 def pressed(strain, metal, force):
-    """Return the results of an unloading from a force."""
+    """Compress a coarse sphere to a force [N] and unload it; return the row of the unloading."""
     settings = attrs.evolve(COARSE, strain=strain)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", SmallStrainWarning)

@@ -57,7 +57,7 @@ def test_elements_are_fine_where_the_contact_is():
     mesh = SphereMesh(radius=RADIUS, core=CORE, reach=REACH, divisions=4).build()
     ends = np.sort(mesh.p[0][mesh.facets[:, mesh.boundaries["circle"]]], axis=0)
     size = (ends[1] - ends[0])[(ends[1] < REACH) & (ends[0] > CORE)]
-    # An edge is a third of pi/16 of the distance from the axis, plus round-off.
+    # An edge is about pi/48 = 0.065 of its distance from the axis; the number of rings is rounded.
     assert np.all(size < 0.08 * REACH)
 
 

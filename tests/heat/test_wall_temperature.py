@@ -39,7 +39,7 @@ run 1
 
 
 def test_only_grains_in_contact_with_a_wall_are_heated(tmp_path):
-    """The second grain is closer than 0.01 of its radius to the wall and does not touch it."""
+    """A grain that touches the wall is heated; a grain that is within 0.01 radii of it is not."""
     (tmp_path / "deck.in").write_text(DECK)
     run_deck(tmp_path / "deck.in", {}, tmp_path)
     table = read_dump(tmp_path / "trajectory.dump")

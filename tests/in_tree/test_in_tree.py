@@ -87,8 +87,8 @@ LEDGER, HEAT, SPECTRA = (TESTS / name / "decks" for name in ("ledger", "heat", "
     ids=["energy balance", "heat", "collision spectra"],
 )
 def test_outputs_are_those_of_the_plugin(in_tree, deck, variables, tmp_path):
-    """The outputs are energies and heat of an oblique impact on a mesh, and collision spectra of a
-    gas.
+    """Both programs give the same energies and heat of an oblique impact on a mesh, and the same
+    collision spectra of a gas.
     """
     ours, plugin = (
         read_thermo(folder / "log.liggghts")
@@ -148,12 +148,12 @@ def installed(tmp_path_factory):
 
 @pytest.fixture
 def installed_copy(installed, tmp_path):
-    """A copy of `installed` with the times of its files."""
+    """A copy of `installed`; the files keep their modification times."""
     return shutil.copytree(installed, tmp_path / "tree")
 
 
 def contents(tree: Path):
-    """Return the time and text of every file by its path in src/."""
+    """Return the modification time [ns] and text of every file, by its path in src/."""
     sources = tree / "src"
     return {
         path.relative_to(sources).as_posix(): (path.stat().st_mtime_ns, path.read_text())

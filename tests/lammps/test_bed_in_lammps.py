@@ -64,8 +64,10 @@ def test_tangential_laws_do_not_depend_on_the_side_of_a_pair(law, tmp_path):
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_a_restart_continues_the_contacts(ranks, reference):
-    """The run continues from step 900, with 251 contacts. The restart file contains laws and
-    histories."""
+    """A run that continues from step 900, with 251 contacts, ends like the whole run.
+
+    The restart file contains the laws and the contact histories.
+    """
     last, folder = reference
     continued = bed(folder, ranks, **{"from": 900})
     assert_allclose(continued.iloc[-1][COMPARED], last[COMPARED], rtol=1e-8)

@@ -109,7 +109,10 @@ def test_a_contact_with_adhesion_stretches_until_it_breaks(tmp_path):
 
 
 def test_types_of_one_material_behave_as_one_type(tmp_path):
-    """The tangential force is the same, too, although LAMMPS mixes `NULL` to another stiffness."""
+    """Types of one material give the same motion as one type, also with the stiffness `NULL`.
+
+    For `NULL`, LAMMPS itself would use another tangential stiffness between two types.
+    """
     line = f"thornton {body()} {FRICTION}"
     tables = [
         pair_of_spheres(tmp_path / str(k), lines, 0.05, 1e-7, 2000)
@@ -121,7 +124,10 @@ def test_types_of_one_material_behave_as_one_type(tmp_path):
 
 
 def test_types_of_two_materials_get_the_law_between_both(tmp_path):
-    """Restitution has an error of 1e-6 at a fifth of the recommended time step."""
+    """Types of two materials collide by the law between both, in any order of the lines.
+
+    Restitution has an error of 1e-6 at a fifth of the recommended time step.
+    """
     other = attrs.evolve(read_material("steel"), density=MATERIAL.density)
     bodies = {1: body(), 2: body(other)}
     own = [f"pair_coeff {k} {k} thornton {words} {FRICTION}\n" for k, words in bodies.items()]
@@ -230,7 +236,9 @@ def test_new_lines_change_the_bodies_of_a_mixed_pair(tmp_path):
     "law", ["universal {} surface_energy 0.5 adhesion jkr", "thornton {} rate_coefficient 0.02"]
 )
 def test_the_energy_balance_does_not_change_the_motion(law, tmp_path):
-    """Without a compute, the plugin omits the energies of the laws. The relative tolerance allows
+    """The motion is the same with `compute plastigran/energy` and without it.
+
+    Without it, the plugin does not compute the energies of the laws. The tolerance 1e-12 allows
     for another order of operations.
     """
     results = []

@@ -62,7 +62,7 @@ def test_the_balance_continues_after_a_restart(ranks, tmp_path):
 
 
 def test_changes_by_the_deck_are_inserted_energy(tmp_path):
-    """The deck changes speeds, deletes a grain, and removes a wall that a sphere touches."""
+    """Changed speeds, a deleted grain and a removed wall in contact count as inserted energy."""
     spheres = [sphere(0.999 * RADIUS, 0, 0, 0, 0), sphere(5 * RADIUS, 0, 0, 0.1, 0)]
     log = run(
         tmp_path,

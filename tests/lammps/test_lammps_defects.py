@@ -29,7 +29,9 @@ def test_write_restart_changes_the_run_that_follows(tmp_path):
 
 
 def test_mixed_types_have_another_tangential_stiffness(tmp_path):
-    """The relative tolerance is 2e-3, because the force slows the spheres during the step. The
+    """Between two types, the tangential stiffness is 1/(2 (1 - nu^2)) times that within one type.
+
+    The relative tolerance is 2e-3, because the force slows the spheres during the step. The
     tolerance was set after the first comparison.
     """
     forces = [result(tmp_path, MIXED_TYPES, other=other) for other in (1, 2)]

@@ -47,7 +47,7 @@ def script(lines: str) -> str:
         (f"{PLAIN} {FRICTION} tangential incremental 0.5", "`tangential` is given twice"),
         (
             f"{PLAIN} tangential incremental 0.5 twisting marshall",
-            "`twisting marshall` needs a tangential model of LAMMPS; choose `twisting sds`",
+            "`twisting marshall` needs one of LAMMPS' own tangential models",
         ),
         (f"{PAIR}pair_coeff * * thornton {BODY} cutoff", "Illegal pair_coeff"),
         (f"{PAIR}pair_coeff * * thornton {BODY} hardness", "the value of hardness is missing"),

@@ -57,8 +57,10 @@ def reports(log: str) -> list[tuple[str, ...]]:
 
 @pytest.mark.parametrize(("ranks", "newton"), [(1, "on"), (2, "on"), (2, "off")])
 def test_contacts_are_counted_once(ranks, newton, tmp_path):
-    """The spheres of the pair are on different ranks. The relative tolerance 1e-3 covers the time
-    step."""
+    """Each contact counts once, also if its spheres are on different ranks.
+
+    The relative tolerance 1e-3 covers the error of the time step.
+    """
     log = run(tmp_path, scene(lines=f"newton {newton}"), ranks)
     ((law, count, furthest),) = reports(log)
     assert (law, count) == (LAW, "2")
@@ -84,7 +86,7 @@ def test_no_report_within_the_range(tmp_path):
 
 
 def test_a_restart_continues_the_count(tmp_path):
-    """The restart file is from a step at which both contacts are beyond the range."""
+    """A run that continues when both contacts are beyond the range counts them only once."""
     whole = reports(run(tmp_path, scene()))
     step = last_restart(tmp_path, within=60)
     log = run(

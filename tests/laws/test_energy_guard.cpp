@@ -20,8 +20,8 @@ bool guarded() {
   return false;
 }
 
-// Constants with which a law is tested between two bodies: its defaults, each choice of each
-// option, and a range of values for constants without a default.
+// Returns the sets of constants with which a law is tested: its defaults, each choice of each
+// option, and a range of values for the indentation pressure or the thickness of a body.
 template <class Law>
 std::vector<typename Law::Parameters> cases([[maybe_unused]] const MaterialPair& pair) {
   typedef typename Law::Parameters Parameters;
@@ -62,8 +62,7 @@ double yield_overlap(const Law& law) {
   return high;
 }
 
-// Returns overlaps divided by the overlap at yield: close to yield, and in the range in which
-// formulas change.
+// Returns overlaps / overlap at yield: many close to yield, and some for every formula of a law.
 std::vector<double> overlaps() {
   std::vector<double> all;
   for (double beyond = 1e-14; beyond < 1e-3; beyond *= 2) all.push_back(1 + beyond);
@@ -80,8 +79,8 @@ TEST_CASE("the laws whose fits can lose plastic work are guarded") {
 }
 
 // The yield strengths reach a third of the modulus, the upper limit of solids. Above 1e-3 of the
-// modulus, their steps are small: in this range, the decrease of plastic work of some fits
-// vanishes. The tolerance is 1e-12 of the loading work, because plastic work is the difference of
+// modulus, they are close together, because plastic work stops decreasing there for some fits.
+// The tolerance is 1e-12 of the loading work, because plastic work is the difference of
 // two works, which tables store to 3e-14.
 TEST_CASE_TEMPLATE("the energy guard lets no plastic work fall", Law, ALL_LAWS) {
   if constexpr (std::is_same_v<typename Law::State, LargestOverlap::State>) {

@@ -53,9 +53,9 @@ class RandomMotion {
 };
 
 // Independent solution: memory diagram of a Hertzian contact in two tangential dimensions. The
-// normal force is F = z^(3/2), with an overlap z that is 1 at the reference load. Each cell of a
-// grid of z stores its tangential traction, and each step searches the cells from the edge of the
-// contact.
+// normal force is F = z^(3/2), with an overlap z that is 1 at the reference load. The range of z is
+// divided into cells, and each cell stores the tangential traction that was applied at its z. Each
+// step searches the cells from the edge of the contact.
 class DenseDiagram {
  public:
   static constexpr int cells = 8000;
@@ -255,7 +255,7 @@ TEST_CASE_TEMPLATE("a pair that tumbles at constant overlap keeps its force", La
   CHECK(answer.force.y == doctest::Approx(start.force.y).epsilon(1e-9));
 }
 
-TEST_CASE_TEMPLATE("a body that oscillates obliquely about another keeps no force", Law,
+TEST_CASE_TEMPLATE("after oblique oscillations of a body about another, the force is zero", Law,
                    Incremental, PartialSlip<8>) {
   // The host passes the normal at the end of the step. When the body is back at the start, the
   // force is zero, because the path encloses no area and nothing slides. After 10 oscillations, the

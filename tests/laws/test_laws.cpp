@@ -28,8 +28,8 @@ typename Law::Parameters defaults() {
   return constants;
 }
 
-// Returns valid random constants of Vu-Quoc-Zhang's law. One coefficient is spread over a number of
-// decades above 10^lowest; the other is more often small than large.
+// Returns valid random constants of Vu-Quoc-Zhang's law. The contact radius coefficient is spread
+// over `decades` above 10^lowest; the curvature coefficient is more often small than large.
 VuQuocZhang::Parameters random_admissible(std::mt19937& random, double lowest, double decades) {
   std::uniform_real_distribution<double> unit(0, 1);
   VuQuocZhang::Parameters constants;
@@ -81,7 +81,7 @@ TEST_CASE_TEMPLATE("a law's table is trivially copyable", Law, ALL_LAWS) {
   CHECK(sizeof(Law) < 90000);
 }
 
-TEST_CASE_TEMPLATE("asking twice changes nothing, bit for bit", Law, ALL_LAWS) {
+TEST_CASE_TEMPLATE("a second call at one overlap changes nothing, bit for bit", Law, ALL_LAWS) {
   const Law law(aluminium, defaults<Law>());
   std::mt19937 random(1);
   std::uniform_real_distribution<double> exponent(-9, -3);
@@ -101,7 +101,7 @@ TEST_CASE_TEMPLATE("asking twice changes nothing, bit for bit", Law, ALL_LAWS) {
 }
 
 // The energy balance reads the plastic work at zero overlap.
-TEST_CASE_TEMPLATE("plastic work is the state's, at any overlap", Law, ALL_LAWS) {
+TEST_CASE_TEMPLATE("plastic work follows from the state at any overlap", Law, ALL_LAWS) {
   const Law law(aluminium, defaults<Law>());
   std::mt19937 random(2);
   std::uniform_real_distribution<double> exponent(-9, -3), share(0, 1);
@@ -130,8 +130,7 @@ TEST_CASE_TEMPLATE("a constant without a default must be given", Law, ALL_LAWS) 
   }
 }
 
-TEST_CASE_TEMPLATE("a law's answer has a viscous force only at a rate it depends on", Law,
-                   ALL_LAWS) {
+TEST_CASE_TEMPLATE("only rate-dependent laws have a viscous force", Law, ALL_LAWS) {
   const Law law(aluminium, defaults<Law>());
   typename Law::State state;
   const Response still = respond(law, 0.1, 1e-5, state, 0);
@@ -143,7 +142,7 @@ TEST_CASE_TEMPLATE("a law's answer has a viscous force only at a rate it depends
   CHECK((closing.force > still.force) == rate_dependent<Law>);
 }
 
-TEST_CASE_TEMPLATE("what bodies must bring has no default", Law, ALL_LAWS) {
+TEST_CASE_TEMPLATE("a constant per body has no default", Law, ALL_LAWS) {
   for (const auto& parameter : parameters_of<Law>)
     if (parameter.per_body) {
       CHECK(std::isnan(typename Law::Parameters{}.*parameter.value));
@@ -188,7 +187,7 @@ TEST_CASE(
   CHECK(VuQuocZhang::admissible(aluminium, {0, 0}));  // Hertz
 }
 
-TEST_CASE("the cylinder laws' Lambert function is the root wherever they ask") {
+TEST_CASE("the Lambert function of the cylinder laws is accurate in the range they need") {
   // t ranges from 2 - ln 2, below which the law continues along a tangent, to the logarithm of the
   // largest ratio of doubles. The root w solves w - ln w = t to round-off. In this range, the slope
   // of w - ln w is at least 1/2, so w is accurate, too.
@@ -199,7 +198,7 @@ TEST_CASE("the cylinder laws' Lambert function is the root wherever they ask") {
   }
 }
 
-TEST_CASE("a table is its functions, with their kinks and jumps, named or not") {
+TEST_CASE("a table equals its functions, also at kinks and jumps that it has to find") {
   // A power, a function with a kink that is not passed to the table, and one that jumps at 6.
   const auto functions = [](double x) {
     return std::array{std::pow(x, 1.425), std::min(std::sqrt(x), 1.7), x <= 6 ? std::log(x) : 2.0};
@@ -226,7 +225,7 @@ TEST_CASE("a table's integral is its function's") {
     REQUIRE(table(x)[0] == doctest::Approx(3 + std::log(x / 2)).epsilon(1e-14));
 }
 
-TEST_CASE("powers for the force loop are the library's") {
+TEST_CASE("powers for the force loop equal std::pow") {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> unit(0, 1);
   const PowerTables tables;

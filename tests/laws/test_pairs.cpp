@@ -59,7 +59,7 @@ TEST_CASE("a pair has the law of its two bodies, in either order") {
 }
 
 // A Meeting contains two atom types, R* [m], m* [kg] and the relative speed [m/s].
-TEST_CASE("two bodies that never yield may not meet under a law that yields") {
+TEST_CASE("a law that yields refuses a contact of two bodies that never yield") {
   TypePairs<Thornton> pairs = table<Thornton>(three_types());
   CHECK(pairs(1, 3).refusal.empty());
   CHECK(pairs(3, 3).refusal.text() ==
@@ -132,7 +132,7 @@ TEST_CASE("a contact is counted where it leaves the range for the first time") {
   CHECK(account.furthest == doctest::Approx(1.4).epsilon(1e-12));
 }
 
-TEST_CASE("contacts are looked at again a tenth deeper, or at the end of the range") {
+TEST_CASE("a contact is checked again when it is 10 % deeper, or at the end of the range") {
   TypePairs<KogutEtsion> pairs = table<KogutEtsion>(three_types());
   TypePair<KogutEtsion>& pair = pairs(1, 1);
   const double shallow = 0.5 * pair.range;
@@ -143,7 +143,7 @@ TEST_CASE("contacts are looked at again a tenth deeper, or at the end of the ran
   CHECK(pair.checked_from == pair.range);
 }
 
-TEST_CASE("the fastest impact asks for the step, and says whether it leaves the range") {
+TEST_CASE("the fastest impact determines the time step, and shows whether it leaves the range") {
   TypePairs<KogutEtsion> pairs = table<KogutEtsion>(three_types());
   const KogutEtsion law(combine(aluminium, aluminium), {});
   const ImpactTimes times = impact_times<KogutEtsion>(
@@ -156,7 +156,7 @@ TEST_CASE("the fastest impact asks for the step, and says whether it leaves the 
 
 // Two grains of type 1 move in parallel, a grain of type 2 moves towards them, and type 3 is a
 // wall.
-TEST_CASE("the forecast has the fastest meeting of each two types") {
+TEST_CASE("the forecast has the fastest impact of each pair of types") {
   std::vector<TypeExtremes> types(3);
   const double forward[3] = {2, 0, 0}, slower[3] = {1.5, 0, 0}, back[3] = {-1, 0, 0};
   types[0].add(0.01, 0.1, forward);

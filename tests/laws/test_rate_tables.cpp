@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Laws at the rate factors of contacts. No table is built for a factor during a run.
+// Laws whose yield strength is multiplied by a rate factor that differs between contacts. No table
+// is built for a factor during a run.
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -31,8 +31,10 @@ def plastic_work(folder: Path, step: float | None = None, dump: str = "grains") 
 
 
 def largest_difference(one: pd.DataFrame, other: pd.DataFrame) -> float:
-    """Return the largest difference of any term [J] in the rows that both tables have. The rows
-    must contain elastic energy."""
+    """Return the largest difference of any term [J] in the rows that both tables have.
+
+    The function fails unless elastic energy is positive in at least three of these rows.
+    """
     both = one.merge(other, on=["run", "step"], suffixes=("", "_other"))
     assert (both["elastic"] > 0).sum() > 2
     return max(np.abs(both[entry] - both[f"{entry}_other"]).max() for entry in ENTRIES)

@@ -130,7 +130,7 @@ def test_the_ledger_changes_no_motion(geometry, tmp_path):
 
 
 def test_a_bed_comes_to_rest(bed):
-    """The terms contain the work of gravity, and plastic work only grows.
+    """The balance includes the work of gravity and closes; dissipated energies never decrease.
 
     The limit of the balance error is 1e-3 of that work; the time step causes a tenth of this limit.
     """
@@ -167,7 +167,10 @@ def test_ranks_have_the_same_terms(bed, ranks, grid, tmp_path):
     ],
 )
 def test_unsupported_decks_are_refused(deck, message, tmp_path):
-    """With `newton on`, only one of two ranks computes a contact across their border."""
+    """The balance is refused where it would be wrong, such as `newton on`.
+
+    With `newton on`, only one of two ranks computes a contact across their border.
+    """
     with pytest.raises(EngineError, match=f"energy_ledger on: {message}"):
         run_deck(DECKS / f"{deck}.in", {"pair": "off"}, tmp_path)
 

@@ -33,7 +33,8 @@ def test_the_drag_of_a_groove_exceeds_friction(coarse_table):
 def test_yield_starts_below_the_surface(coarse_table):
     table = coarse_table("kp10", "oblique").set_index("way")
     surface = table["force at surface yield (N)"]
-    # Friction moves yield to the surface, which needs more force without friction.
+    # With friction, the surface yields at a smaller force. Without friction, the first yield lies
+    # below the surface, at less than 0.8 times the force at which the surface yields.
     assert table.loc["head-on", "force at first yield (N)"] < 0.8 * surface["head-on"]
     assert surface["oblique"] < surface["head-on"]
     for row in table.to_dict("records"):

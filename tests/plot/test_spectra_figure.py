@@ -10,8 +10,10 @@ from plastigran.plot.spectra import spectra_figure
 
 
 def test_classes_without_impacts_are_a_gap():
-    """The energies are smaller than the default tolerance of numpy; the class at 1e-24 is
-    round-off."""
+    """The figure shows a gap where a class has no impacts, and omits the class of round-off, 1e-24.
+
+    The energies are smaller than the default absolute tolerance of numpy.
+    """
     lower = np.array([1e-24, 1e-15, 2e-15, 8e-15, 1e-3])
     classes = pd.DataFrame({"lower": lower, "upper": 2 * lower, "count": [7, 1, 2, 3, 4]})
     none = classes[:0]

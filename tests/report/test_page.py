@@ -161,7 +161,10 @@ def test_verdict_counts_warnings(copied, count, words):
 
 
 def test_user_deck_shows_law_and_time_step_of_the_log(tmp_path):
-    """The deck has no setting `law`, and its time step depends on the radius."""
+    """For a user's deck, law and time step come from the log.
+
+    The deck has no setting `law`, and its time step depends on the radius.
+    """
     deck = write_deck(tmp_path / "mine", "thornton", "soft_granules")
     text = re.sub(r"^variable law .*\n", "", deck.read_text(), flags=re.MULTILINE)
     deck.write_text(text.replace("${law}", "thornton"))
@@ -358,7 +361,7 @@ def test_damaged_trajectories_are_named(copied_sweep):
 
 
 def test_loops_belong_to_their_radius(copied_sweep):
-    """The table has three radii for each speed, but only the middle one has trajectories."""
+    """Loops have the radius of their trajectories, the middle one of three radii in the table."""
     table = pd.read_csv(copied_sweep / "impacts.csv")
     others = [table.assign(radius=table["radius"] * factor) for factor in (0.5, 2)]
     pd.concat([others[0], table, others[1]]).to_csv(copied_sweep / "impacts.csv", index=False)
@@ -389,7 +392,10 @@ def test_theory_replaces_an_earlier_sweep(copied_sweep):
 
 
 def test_errors_of_a_law_are_for_the_speeds_of_the_sweep():
-    """The error is unknown beyond the finite elements, below yield and for unknown materials."""
+    """The expected error of a law covers the speeds of the sweep.
+
+    It is unknown below yield, at speeds beyond the finite elements, and for unknown materials.
+    """
 
     def theory(**settings) -> Trust:
         (row,) = trust(CentralImpact.theory(law=["thornton"], **settings).table, {})
@@ -481,7 +487,7 @@ def test_command_writes_a_page_and_keeps_other_files(tmp_path, capsys):
 
 
 def test_full_disk_keeps_the_earlier_page(tmp_path):
-    """No temporary file stays. A symbolic link to a page is kept."""
+    """If the disk is full, the earlier page, or a link to a page, stays, and no temporary file."""
     (tmp_path / "results").mkdir()
     page = write_report([tmp_path / "results"], tmp_path / "report.html")
     before = page.read_text()

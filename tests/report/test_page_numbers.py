@@ -48,7 +48,7 @@ def test_frames_are_packed_to_16_bits(hopper):
 
 
 def test_times_of_frames_are_those_of_the_charts(hopper):
-    """Times before the start of the charts are negative."""
+    """Frames have the times of the charts; frames before the start have negative times."""
     last = find_frames(hopper)[-1].step
     movie, _ = pack_movie(hopper, lambda step: (step - last) * 2e-5)
     head = gzip.decompress(base64.b64decode(movie.data)).split(b"\n", 1)[0]

@@ -58,7 +58,7 @@ def test_a_page_is_written_with_its_pictures(tmp_path):
     ("text", "message"),
     [
         (PAGE + PAGE.replace("one", "two"), "markers for the table two, but small has no such"),
-        (PAGE + PAGE, "the markers of one table twice"),
+        (PAGE + PAGE, "a table has two places"),
         (None, "small.md is missing"),
     ],
 )

@@ -66,7 +66,7 @@ def test_errors_are_known_only_for_rigid_walls_and_default_options(folder):
 
 
 def test_error_is_unknown_on_a_metal_wall(tmp_path):
-    """The finite-element results are for spheres on a rigid plane."""
+    """The expected error is unknown, because finite elements exist only for a rigid plane."""
     collide("universal", [0.1, 1], "steel", 0.005, folder=tmp_path / "metal", wall="zirconia")
     (row,) = section(tmp_path / "metal").trust
     assert row.not_validated == ["Steel on Zirconia"]
@@ -74,7 +74,7 @@ def test_error_is_unknown_on_a_metal_wall(tmp_path):
 
 
 def test_sweep_records_the_material_of_the_user(tmp_path):
-    """The page shows its constants and the errors of its impacts without its file."""
+    """The page shows constants and errors of the user's material after its file is deleted."""
     steel = read_material("steel").variables()
     material = Material("mine", **steel | {"yield_strength": 7e8})
     write_material(material, tmp_path / "mine.in", "By a tensile test.")
@@ -131,7 +131,7 @@ def test_yielding_wall_gives_a_warning(folder):
 
 
 def test_wall_does_not_split_a_curve_over_geometry():
-    """The wall does not distinguish two curves: the geometry shows whether there is a wall."""
+    """Impacts on a wall and between spheres share a curve, although only the first have a wall."""
     geometries = ["sphere_wall", "two_spheres"]
     table = CentralImpact.theory(law=["thornton"], speed=0.1, geometry=geometries).table
     predicted = {f"{name}_predicted": table[name] for name in ("force_max", "overlap_max")}

@@ -81,8 +81,9 @@ def test_friction_without_spring_is_that_of_the_paper(rod, speed, tmp_path):
 
 
 def test_options_reach_the_law(tmp_path):
-    """Only the options of the law differ from the defaults of the deck. The relative tolerance 1e-3
-    is the error of the recommended time step.
+    """Options in the deck of the rod reach the law.
+
+    The relative tolerance 1e-3 is the error of the recommended time step.
     """
     run_deck(
         "collision/rod.in", {"law": "stronge", "options": "unloading original_radius"}, tmp_path
@@ -104,7 +105,9 @@ def test_without_friction(tmp_path):
 
 @pytest.mark.parametrize("rod", [STEEP, Rod(angle=30, length=0.2, mass=1.0, tip_radius=0.01)])
 def test_three_spheres_are_the_rod(rod, tmp_path):
-    """Mass and inertia follow from forces, torques and velocities. Velocity Verlet integrates by
+    """The clump of three spheres has the mass and inertia of the rod.
+
+    Both follow from forces, torques and velocities. Velocity Verlet integrates by
     the trapezoidal rule, so impulses are exact. The relative tolerance 1e-9 is round-off of some
     hundred steps.
     """

@@ -171,7 +171,10 @@ def test_the_model_of_clusters():
 
 
 def test_random_calls(monkeypatch, capsys):
-    """A law without a call counts as a failure; one random pair calls one law."""
+    """The script fails if a law has no calls.
+
+    20000 calls are one random pair, which calls one law; all other laws have no calls.
+    """
     script = load("benchmarks/random_calls.py")
     monkeypatch.setattr(sys, "argv", ["random_calls.py", "--calls", "20000"])
     with pytest.raises(SystemExit) as stop:
@@ -211,7 +214,7 @@ def test_the_slurm_script_continues_from_the_older_checkpoint(tmp_path):
 
 @pytest.mark.parametrize("part", ["kills", "restarts"])
 def test_reliability(part, tmp_path, monkeypatch):
-    """The script runs two kills or restarts, and replaces only the table of the page."""
+    """The script runs two kills or two restarts, and replaces only their table on the page."""
     monkeypatch.syspath_prepend(PROJECT / "benchmarks")
     script = load("benchmarks/reliability.py")
     page = PROJECT / "docs" / "reliability.md"

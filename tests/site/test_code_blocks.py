@@ -97,7 +97,7 @@ def test_python_of_a_page_runs(page, results, tmp_path, monkeypatch):
 
 
 def test_yield_strength_of_the_rate_factor():
-    """docs/rate_factor.md shows these numbers."""
+    """The yield strengths are those of docs/rate_factor.md."""
     names: dict = {}
     exec(blocks(PROJECT / "docs" / "rate_factor.md")[0], names)
     laws, pair, law = names["laws"], names["pair"], names["law"]

@@ -36,7 +36,7 @@ def public(module: object) -> Iterator[tuple[str, object]]:
 
 
 def test_every_public_name_has_a_docstring():
-    """An overriding method may inherit its docstring."""
+    """Every public name has a docstring; an overriding method may inherit it."""
     members = [member for name in modules() for member in public(import_module(name))]
     assert len(members) > 500
     assert not [name for name, member in members if not inspect.getdoc(member)]

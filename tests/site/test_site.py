@@ -23,7 +23,13 @@ FETCHED = {"script": "src", "img": "src", "iframe": "src", "source": "src", "lin
 
 
 class Page(HTMLParser):
-    """Links of a page, files that it loads, and targets of links in it."""
+    """Parsed HTML page.
+
+    Attributes:
+        links: Targets of its links.
+        fetched: Addresses of files that a browser loads with the page.
+        places: Its anchors, the names after `#` to which a link can point.
+    """
 
     def __init__(self, path: Path):
         super().__init__()
@@ -43,7 +49,7 @@ class Page(HTMLParser):
 
 @pytest.fixture(scope="module")
 def pages() -> dict[Path, Page]:
-    """Build the site as `./run site` does; unchanged pages stay."""
+    """Build the site as `./run site` does, except unchanged pages; return its pages by path."""
     SITE.parent.mkdir(exist_ok=True)
     with open(SITE.with_suffix(".lock"), "w") as lock:
         flock(lock, LOCK_EX)
@@ -70,7 +76,7 @@ def test_no_link_is_dead(pages):
 
 
 def test_the_site_loads_no_foreign_file(pages):
-    """This holds for scripts, styles, pictures and fonts."""
+    """Pages and style sheets load scripts, styles, pictures and fonts from the site only."""
     foreign = {f for page in pages.values() for f in page.fetched if urlsplit(f).netloc}
     for sheet in (SITE / "_static").rglob("*.css"):
         foreign |= set(
@@ -100,5 +106,5 @@ def test_the_notebooks_ran(pages):
     assert len(notebooks) >= 5
     for notebook in notebooks:
         text = (SITE / "notebooks" / notebook.with_suffix(".html").name).read_text()
-        assert "&lt;Figure size" not in text, "a figure that was not drawn"
+        assert "&lt;Figure size" not in text, "a text replaces a figure"
         assert "cell_output" in text and re.search(r"_images/[\w.]+\.(svg|png)", text), notebook

@@ -41,7 +41,7 @@ def truncate(file: Path, fraction: float) -> None:
 
 @pytest.mark.parametrize("options", [[], ["--contacts"]])
 def test_movie_starts_before_the_first_grains(run, options, tmp_path, capfd):
-    """The first picture shows only the walls."""
+    """A movie may start before the first grains; its first picture then shows only the walls."""
     empty(run, 0)
     movie = tmp_path / "grains.gif"
     assert main(["snapshot", str(run), *options, "--movie", str(movie)]) == 0

@@ -15,10 +15,10 @@ import pandas as pd
 from plastigran import laws
 from plastigran.engine.dumps import read_dump
 
-# Values of gas.in.
+# Geometry and materials of gas.in. Planes have an axis, a position [m] and an atom type.
 HEIGHT = 0.036  # period along z [m]
 PLANES = {"left": (0, -0.0185, 1), "right": (0, 0.0185, 1), "front": (1, -0.0185, 2)}
-PLANES |= {"back": (1, 0.0185, 2)}  # axis, place [m], atom type
+PLANES |= {"back": (1, 0.0185, 2)}
 BODIES = {1: laws.Body(5e7, 0.3, 5e5), 2: laws.Body(3e7, 0.3, 4e5)}
 LAW = laws.LAWS["thornton"]
 
@@ -86,8 +86,18 @@ def impacts(motion: Motion, timestep: float) -> pd.DataFrame:
 
 
 def _between(apart: np.ndarray, reach: float, radius_eff: float, types: list, name: str) -> list:
-    """Return the impacts of one pair with separation `apart`, shape (frames, 3) [m]; speeds are per
-    step."""
+    """Return the impacts of one pair.
+
+    Args:
+        apart: Vectors between the bodies [m], shape (frames, 3).
+        reach: Distance below which the bodies touch [m].
+        radius_eff: Effective radius R* [m].
+        types: Their two atom types.
+        name: Name of the partner: `particle` or a plane.
+
+    Returns:
+        Rows as in `impacts`, with indices of frames instead of steps, and speeds in m per step.
+    """
     distance = np.linalg.norm(apart, axis=1)
     touching = distance < reach
     if not touching.any():
@@ -118,7 +128,16 @@ def _between(apart: np.ndarray, reach: float, radius_eff: float, types: list, na
 
 
 def spectra(found: pd.DataFrame, every: int, per_decade: int) -> pd.DataFrame:
-    """Return counts and sums by table, quantity, partner, types and class."""
+    """Return numbers and sums of the impacts in each class of the collision spectra.
+
+    Args:
+        found: Impacts, as `impacts` returns them.
+        every: Number of steps of a table.
+        per_decade: Number of classes per decade.
+
+    Returns:
+        Columns `size` and `sum`, by last step of the table, quantity, partner, types and class.
+    """
     long = found.drop(columns="begin").melt(
         ["end", "with", "type", "other_type"], var_name="quantity"
     )

@@ -66,14 +66,14 @@ def test_a_gas_is_counted_as_it_is_replayed(gas):
 
 @pytest.mark.parametrize(("ranks", "grid"), [(2, "1 1 2"), (4, "2 2 1")])
 def test_ranks_count_what_happens(ranks, grid, tmp_path):
-    """Some impacts cross borders of ranks, and some grains change rank during contact."""
+    """Several ranks count the impacts of the replay, also if grains change rank during contact."""
     count("gas", tmp_path, ranks, grid=grid, before=400, after=0)
     compare(tmp_path, 400)
 
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_renumbered_grains_keep_their_impacts(ranks, tmp_path):
-    """During impacts, the run deletes grains and renumbers the others."""
+    """Impacts count once, also if grains are deleted and others renumbered meanwhile."""
     count("gas", tmp_path, ranks, between="removal", every=300)
     found = compare(tmp_path, 300)
     assert ((found["begin"] <= 600) & (found["end"] > 600)).sum() > 5
@@ -113,7 +113,7 @@ def test_the_energies_are_the_ledgers(tmp_path):
 
 
 def test_a_mesh_is_one_wall(tmp_path):
-    """A sphere bounces, and then slides from triangle to triangle in one contact."""
+    """After some bounces, a sphere that slides from triangle to triangle has one contact."""
     run_deck(DECKS / "slide.in", {}, tmp_path)
     log = read_thermo(tmp_path / "log.liggghts")
     motion = read_dump(tmp_path / "motion.dump")
@@ -126,7 +126,7 @@ def test_a_mesh_is_one_wall(tmp_path):
 
 
 def test_counting_changes_no_motion(tmp_path):
-    """The motion is bitwise identical."""
+    """The motion is bitwise identical with and without collision spectra."""
     for state in ("on", "off"):
         count("gas", tmp_path / state, counted=state, before=300, after=0, tangential="history")
     on, off = ((tmp_path / name / "motion.dump").read_bytes() for name in ("on", "off"))
@@ -202,7 +202,7 @@ def test_a_wrong_line_is_named(words, complaint, tmp_path):
 
 
 def test_contacts_that_were_there_before_are_no_impacts(tmp_path):
-    """Two overlapping spheres repel each other; counting begins during their contact."""
+    """A contact that exists when counting begins is not an impact."""
     deck = tmp_path / "two.in"
     deck.write_text(
         """

@@ -25,8 +25,10 @@ def released():
 
 
 def test_loading_continues_where_an_unloading_began(released):
-    """`press_and_release` continues from the state before unloading; `press` reloads the sphere.
-    Reloading is almost elastic up to the largest force, so both agree to 2e-3."""
+    """Results with and without reloading agree to 2e-3, because reloading is almost elastic.
+
+    `press_and_release` continues from the state before unloading; `press` reloads the sphere.
+    """
     reloaded = press(METAL.material, RADIUS, METAL.forces, COARSE)
     assert not released.stopped
     assert len(released.unloadings) == len(METAL.forces)

@@ -182,8 +182,9 @@ LAWS = {
 
 @pytest.mark.parametrize("name", LAWS)
 def test_restitution_follows_from_the_motion(name):
-    """The twenty speeds are below and above the sticking speed. Restitution agrees to 2e-5, because
-    steps of the integration cross kinks of the force.
+    """Restitution of a law agrees with the equation of motion, below and above the sticking speed.
+
+    The tolerance is 2e-5, because steps of the integration cross kinks of the force.
     """
     law = LAWS[name]
     speeds = np.geomspace(0.2, 8, 20)
@@ -226,7 +227,10 @@ def test_sticking_speed_of_a_contact():
 
 
 def test_speeds_that_cannot_be_computed_do_not_matter():
-    """At 100 m/s, the overlap of these soft granules would exceed the largest allowed value."""
+    """The search for the sticking speed skips speeds that cannot be computed.
+
+    At 100 m/s, the overlap of these soft granules would exceed the largest allowed value.
+    """
     soft = Contact("universal", "soft_granules", RIGID, radius=1.8e-4, surface_energy=6e-4)
     with pytest.raises(ValueError, match="speed is 100 m/s"):
         soft.impact(100)

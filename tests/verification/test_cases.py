@@ -50,7 +50,7 @@ def test_every_law_has_cases(law_name):
 def test_engine_at_the_recommended_step(case, geometry, tmp_path):
     """The recommended step causes a relative error of 1e-3 in restitution, and of 2e-3 in other
     quantities. LIGGGHTS uses a speed of half a step earlier, so rate-dependent forces cause
-    first-order errors: 5e-3, and 2 % of the largest overlap in the residual overlap. Two equal
+    first-order errors: 5e-3, and in the residual overlap 2 % of the largest overlap. Two equal
     spheres behave like the sphere on a rigid plane, except that each has half of the overlap.
     """
     law, index = CASES[case]
@@ -71,9 +71,11 @@ def test_engine_at_the_recommended_step(case, geometry, tmp_path):
 
 @pytest.mark.parametrize("case", CASES)
 def test_engine_at_a_twentieth_of_it(case, declared_jumps, tmp_path):
-    """The integration is of second order, so a step 20 times shorter reduces the error to 1e-5. If
-    the force jumps, the error is of first order in the step with the jump: 1e-4. For rate-dependent
-    laws, it is of first order: a twentieth of the tolerances of the previous test.
+    """At a twentieth of the recommended step, LIGGGHTS agrees with the law to 1e-5.
+
+    The integration is of second order. If the force jumps, the error is of first order, and the
+    tolerance is 1e-4. For rate-dependent laws, the error is also of first order, and tolerances
+    are a twentieth of those in `test_engine_at_the_recommended_step`.
     """
     law, index = CASES[case]
     model = impact(law, index)

@@ -50,8 +50,11 @@ def test_published_laws(name, row):
 
 @pytest.mark.parametrize("name", CYLINDER_LAWS)
 def test_yield(name):
-    """Force, overlap and work have closed forms at yield, where the slope jumps by a factor of
-    0.346 (C - 1) = 3.16."""
+    """Force, overlap and work have closed forms at yield.
+
+    The slope of the force jumps there by a factor of 0.346 (C - 1) = 3.16, with
+    C = ln(4 D^2/a^2) - nu/(1 - nu), half-width a at yield and thickness D of the body.
+    """
     impact = glass(name)
     law, radius = impact.contact_law(), impact.radius_eff
     force, overlap, work = central.line_yield(impact.pair, radius, 1e-4, 1e-4)

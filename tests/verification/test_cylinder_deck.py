@@ -121,7 +121,10 @@ def test_viscous_damping(name, tmp_path):
 
 
 def test_bodies_that_come_later_are_refused_at_their_touch(tmp_path):
-    """A cylinder gets the type of the wall after the check before the run."""
+    """A contact whose type pair appears after the check of the run is refused when it forms.
+
+    Here, the cylinder gets the atom type of the wall after the first run.
+    """
     later = """
 timestep ${timestep}
 fix i all nve/sphere

@@ -43,8 +43,11 @@ def test_factor():
 @pytest.mark.parametrize("name", YIELDING)
 @pytest.mark.parametrize("speed", [0.01, 0.3])
 def test_impact_is_that_of_the_strength_at_its_rate(name, speed, law_between):
-    """The relative tolerance 1e-9 is round-off: the strength is multiplied before or after its
-    yield pressure factor."""
+    """An impact equals the impact of a body with the yield strength at its strain rate.
+
+    The relative tolerance 1e-9 is round-off, because the rate factor multiplies the yield strength
+    or the yield pressure.
+    """
     factor = laws.rate_factor(PAIR, RADIUS, speed)
     assert factor > 1.05
     found = law_between(name, PAIR, LENGTH).central_impact(RADIUS, MASS, speed)

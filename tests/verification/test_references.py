@@ -94,7 +94,8 @@ def peaks(reference) -> np.ndarray:
 
 
 def test_force_on_a_path(twins):
-    """The path loads to increasing overlaps, with full unloading between them."""
+    """Law and reference give the same force on a path of loading to increasing overlaps, with full
+    unloading between them."""
     name, law, reference = twins
     share = np.concatenate([np.linspace(0, 1, 7), np.linspace(0.97, 0, 12)])
     path = np.concatenate([peak * share for peak in peaks(reference)])

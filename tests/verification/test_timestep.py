@@ -16,7 +16,7 @@ from plastigran.materials import RIGID
 from plastigran.usable_laws import laws_for
 
 #: Largest relative error of restitution in 600 random impacts with 24 phases each, if it exceeds
-#: 1e-3. The estimate of the step does not consider kinks of the force.
+#: 1e-3. These errors arise at kinks of the force, which the recommended time step ignores.
 STATED = {
     "vu_quoc_zhang": 1.05e-3,
     "thornton": 1.2e-3,
@@ -72,7 +72,7 @@ def restitution(law, speed: float, step: float, phase: float) -> float:
 
 @pytest.mark.parametrize("name", LAWS)
 def test_restitution_at_the_recommended_step(name):
-    """The error stays within its limit even if the force jumps; jumps shorten the time step."""
+    """The error stays within its limit, also if the force jumps, which shortens the time step."""
     worst = 0.0
     for law, speed in impacts(name, 40, seed=3):
         exact = law.central_impact(RADIUS, MASS, speed).coefficient_of_restitution
@@ -85,7 +85,9 @@ def test_restitution_at_the_recommended_step(name):
 @pytest.mark.parametrize("strength", [1e-7, 1e-6, 1e-5, 1e-4])
 @pytest.mark.parametrize("speed", [1e-2, 1.0, 100.0])
 def test_step_where_the_rebound_is_short(strength, speed):
-    """Far beyond yield, Vu-Quoc & Zhang's law recovers as little as 1e-14 of the overlap. With
+    """The recommended step is 0.1 sqrt(m/slope) with the slope of unloading.
+
+    Far beyond yield, Vu-Quoc & Zhang's law recovers as little as 1e-14 of the overlap. With
     a_e^3 = 3 F R*/(4 E*) and a_e^2 = C R* (overlap - overlap_res), the slope of unloading is 2 E* C
     a_e. The relative tolerance is 2e-3: the error of a_e is 3e-14 of the overlap, and the slope is
     taken between overlaps that differ by 1e-11 or more."""

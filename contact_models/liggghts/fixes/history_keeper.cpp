@@ -48,8 +48,8 @@ std::string HistoryKeeper::restarted_lines(LAMMPS_NS::LAMMPS* engine) {
 
 void HistoryKeeper::connect(const std::string& owner, const ContactLine& line) {
   ContactLine& connected = connected_[owner];
-  // The line may have been registered before a run that had no setup. Keep what that run did not
-  // report.
+  // The line may have been registered before a run that had no setup. Keep the report that this run
+  // did not print.
   const std::string earlier = std::exchange(connected, line).report;
   if (line.report.empty()) connected.report = earlier;
   const auto entry = restarted_.find(owner);

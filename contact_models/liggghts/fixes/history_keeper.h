@@ -49,8 +49,8 @@ class HistoryKeeper : public PluginFix {
   // an empty string.
   std::string restarted_settings(const std::string& owner) const;
 
-  // Copies the histories of a fix before LIGGGHTS deletes it. Does nothing if the keeper has not
-  // stored this fix.
+  // Copies the histories of a fix before LIGGGHTS deletes it. Does nothing if the keeper does not
+  // keep the histories of this fix.
   void copy(LAMMPS_NS::Fix* fix);
 
   int setmask() override;

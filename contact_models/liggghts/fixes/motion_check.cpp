@@ -89,8 +89,8 @@ void MotionCheck::pre_exchange() {
         stop_for(i,
                  std::string("leaves the box at its ") + (below ? "lower " : "upper ") +
                      "xyz"[axis] + " side",
-                 "Close the walls (mesh triangles without gaps), reduce the time step, enlarge the "
-                 "box, or allow it: thermo_modify lost ignore");
+                 "Close gaps in the walls and meshes, reduce the time step, enlarge the box, or "
+                 "allow lost particles: thermo_modify lost ignore");
     }
 }
 

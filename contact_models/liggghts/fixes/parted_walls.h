@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Clears the histories of ended contacts with primitive walls. LIGGGHTS calls the model
-// of a wall only for particles within one neighbor skin of it. A particle that crosses the skin in
-// one step, or any particle with `neighbor 0.0`, would keep the history of its last contact.
+// Clears the histories of ended contacts with primitive walls. LIGGGHTS calls the contact model of
+// a wall only for particles within one neighbor skin of the wall. A particle that crosses the skin
+// in one step, or any particle with `neighbor 0.0`, would keep the history of its last contact.
 #pragma once
 
 #include <map>

@@ -48,7 +48,7 @@ class ParticleRecords {
   void add(int id, const double* values, int count);
 
   // Replaces the IDs of the particles, and omits deleted particles. Calls change(values, count) for
-  // the values of each particle; this function returns their new number, which must not be larger.
+  // the values of each particle. `change` returns the new number of values, at most `count`.
   template <class Change>
   void replace_ids(const NewIds& ids, Change change) {
     for (const auto& [former, span] : std::exchange(spans_, {}))

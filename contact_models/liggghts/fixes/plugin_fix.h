@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Base class and helpers of the fixes that the plugin adds itself, without a line in the deck.
+// Base class of the plugin's fixes, and functions to add and find fixes.
 #pragma once
 
 #include <cstdio>
@@ -30,7 +30,8 @@ inline void require_setup(LAMMPS_NS::LAMMPS* engine, const char* id) {
   engine->update->first_update = 0;
 }
 
-// Base class of the fixes that the plugin adds. A derived class defines static id() and style().
+// Base class of the plugin's fixes. A derived class defines static style(), and static id() if the
+// plugin adds the fix without a line in the deck.
 class PluginFix : public LAMMPS_NS::Fix {
  public:
   using Fix::Fix;

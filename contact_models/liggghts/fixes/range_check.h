@@ -15,7 +15,7 @@ namespace plastigran {
 
 class RangeCheck : public PluginFix {
  public:
-  // Counts of one model on this rank. Only rank 0 uses the members that RangeAccount does not have.
+  // Counts of one model on this rank. The members declared here are used only on rank 0.
   struct Excess : RangeAccount {
     const char* range = "";
     double all_contacts = 0;                // number of contacts beyond the range on all ranks

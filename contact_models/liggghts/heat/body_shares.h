@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Distribution of the plastic work of a contact to its two bodies, and the fraction that becomes
-// heat.
+// Distribution of the plastic work of a contact between its two bodies, and the fraction of this
+// work that becomes heat.
 #pragma once
 
 #include <string>

@@ -52,8 +52,8 @@ const char* EnergyLedger::complaint(const EnergyLedger* ledger, bool requested, 
                  "the pair_style and wall lines again without energy_ledger on";
   if (ledger && !requested && !is_wall)
     return "pair_style: the line has no energy_ledger on, but an earlier line has opened the "
-           "energy "
-           "ledger. Add it, or close the ledger first: unfix energy_ledger, unfix plastic_work";
+           "energy ledger. Add `energy_ledger on`, or close the ledger first: unfix energy_ledger, "
+           "unfix plastic_work";
   return nullptr;
 }
 

@@ -172,8 +172,8 @@ void MeshContacts::add_nearer_triangles(int particle, int first) {
   }
 }
 
-// Returns whether two triangles form one surface for this particle. They share an edge, or they
-// share a node and the particle does not reach the triangle between them.
+// Returns whether two triangles form one surface for this particle. A shared node suffices, because
+// the particle may not reach the triangles between them.
 bool MeshContacts::meet_as_one(int particle, int a, int b) const {
   return one_surface(*mesh_, a, b, engine_->atom->x[particle], feature_cosine_) ||
          around_a_node(*mesh_, a, b, feature_cosine_);
@@ -231,7 +231,8 @@ MeshCheck::Place MeshContacts::place(int particle, const Overlap& a, const Overl
 }
 
 // Assigns the histories of a particle's contacts to the overlaps that now have these contacts. If
-// two surfaces have joined, the history of the deepest triangle is kept; if it has none, the first.
+// two surfaces have joined, keeps the history of the deepest triangle, or the first history if the
+// deepest triangle has none.
 void MeshContacts::find_histories(int particle, int first) {
   LAMMPS_NS::FixContactHistoryMesh* const stored = fix_->contactHistory();
   if (!stored || stored->get_dnum() == 0) return;

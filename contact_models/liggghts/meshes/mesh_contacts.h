@@ -28,7 +28,7 @@ class MeshContacts {
  public:
   // Creates the contacts with one mesh. `springs` are the offsets of tangential and rolling springs
   // in the contact history; each spring is a vector in the tangent plane. `in_contact` is the
-  // offset of this history value, -1 if contacts end with the overlap.
+  // offset of the history value `in_contact`, or -1 if contacts end with the overlap.
   MeshContacts(LAMMPS_NS::LAMMPS* engine, LAMMPS_NS::FixMeshSurface* mesh, double feature_cosine,
                std::vector<int> springs, int in_contact);
 
@@ -41,7 +41,7 @@ class MeshContacts {
   // Returns whether LIGGGHTS has to compute the contact of a local particle with this triangle: the
   // triangle has the contact of its surface, or the contact ends in this step. `history` is
   // LIGGGHTS' history for this particle and triangle; null if there is none. If the triangle has
-  // the contact, this function moves the history of the surface there.
+  // the contact, this function moves the history of the surface to `history`.
   bool computes(int particle, int triangle, double* history);
 
  private:

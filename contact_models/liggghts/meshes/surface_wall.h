@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// LIGGGHTS' wall with the setting `feature_angle` for meshes. Triangles that share an edge and
-// differ in direction by at most this angle form one surface. A particle has one contact with a
-// surface.
+// LIGGGHTS' wall with the setting `feature_angle` for meshes. Triangles that share an edge or a
+// node and differ in direction by at most this angle form one surface. A particle has one contact
+// with a surface.
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// LIGGGHTS' tangential, cohesion, rolling and surface models, which a deck combines with a law.
+// Companions of a law: the tangential, cohesion, rolling and surface models that a deck combines
+// with the law.
 #pragma once
 
 #include <array>
@@ -15,7 +16,7 @@ namespace plastigran {
 
 struct Companion {
   const char* name;  // name in decks
-  int id;            // ID in LIGGGHTS' hash; 0 for the model of a line that names none
+  int id;            // ID in LIGGGHTS' hash; 0 for the model used if the line names none
 };
 
 struct CompanionKind {
@@ -23,8 +24,8 @@ struct CompanionKind {
   std::vector<Companion> models;
 };
 
-// Returns the kinds in the order in which LIGGGHTS' hash of a combination of models contains them.
-// The normal model comes first in the hash and is not among them.
+// Returns the kinds of models in their order in LIGGGHTS' hash of a model combination. The normal
+// model comes first in the hash, but is not in this list.
 const std::array<CompanionKind, 4>& companion_kinds();
 
 // Returns the ID of the model at `place` of LIGGGHTS' hash: 0 normal, 1 tangential, 2 cohesion, 3
@@ -36,8 +37,8 @@ constexpr int least_rings = PartialSlip<>::least_rings,
               default_rings = PartialSlip<>::default_rings, most_rings = PartialSlip<>::most_rings;
 
 // Bit 30 of the hash, the first after the five places. It marks a law with the option
-// `adhesion jkr`. Restart files contain the hash, so the contact history has the same values after
-// a restart.
+// `adhesion jkr`. Restart files contain the hash, so the same history values are registered after a
+// restart.
 constexpr std::int64_t with_adhesion = std::int64_t{1} << 30;
 
 // Bits 31 to 33 of the hash contain the number of rings of `tangential partial_slip` minus 1; 0
@@ -50,7 +51,7 @@ inline std::int64_t hash_of_rings(int rings) {
   return rings == default_rings ? 0 : std::int64_t{rings - 1} << 31;
 }
 
-// Returns whether an ID in LIGGGHTS' table of tangential models is that of a tangential law.
+// Returns whether `id`, the ID of a tangential model in LIGGGHTS, belongs to a law of this plugin.
 bool is_tangential_law(int id);
 
 // Returns whether the hash contains the model `name` after `keyword`: "normal", "tangential", ...,

@@ -20,8 +20,8 @@ std::string describe_crossing(const LAMMPS_NS::Atom* atom,
   std::ostringstream text;
   text << describe_particle(atom, contact.i) << " is about to cross a wall: the overlap is "
        << contact.deltan / contact.radi
-       << " of its radius, and beyond 1 the wall would push it out on the other side. Check the "
-          "value and unit of youngsModulus, and the time step";
+       << " times its radius. Beyond 1, the wall would push the particle out on the other side. "
+          "Check the value and unit of youngsModulus, and the time step";
   return text.str();
 }
 

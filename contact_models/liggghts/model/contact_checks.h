@@ -123,9 +123,9 @@ class ContactChecks : protected LAMMPS_NS::Pointers {
          contact.is_wall ? 0 : atom->tag[contact.j]});
   }
 
-  // Counts a contact that exceeds the validity range. The first step of a run is marked: its
-  // overlap may result from a command instead of motion, because decks can move particles between
-  // runs. Two ranks check a contact across their border, and each counts half of it.
+  // Counts a contact that exceeds the validity range. Marks contacts in the first step of a run:
+  // their overlap may result from a command instead of motion, because decks can move particles
+  // between runs. Two ranks check a contact across their border, and each counts half of it.
   template <class AnyLaw>
   void check_range(const Contact& contact, const AnyLaw& law, double range, double radius_eff,
                    const State& before, const State& now) {

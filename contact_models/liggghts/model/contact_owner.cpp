@@ -129,7 +129,7 @@ MixedModels mixed_models(LAMMPS_NS::LAMMPS* engine) {
   if (laws.size() < 2) return mixed;
   for (const std::string& law : laws)
     mixed.text += (mixed.text.empty() ? "" : "; ") + lines[law] + " has " +
-                  (law.empty() ? "a model of LIGGGHTS" : law);
+                  (law.empty() ? "one of LIGGGHTS' own models" : law);
   return mixed;
 }
 

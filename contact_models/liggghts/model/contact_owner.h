@@ -33,8 +33,8 @@ class ContactOwner {
   bool has_model(const std::string& keyword, const std::string& name) const;
 
   // Returns the law in the line, with the option `adhesion jkr` if the line has it. Returns "hertz"
-  // for LIGGGHTS' model combined with a tangential law, and an empty string for all other models of
-  // LIGGGHTS.
+  // for LIGGGHTS' `hertz` combined with a tangential law, and an empty string for all other models
+  // of LIGGGHTS.
   std::string law() const;
 
   // Returns the other contact models in the line (" KIND NAME ..."), without those that are off,
@@ -61,10 +61,11 @@ std::set<int> wall_types(LAMMPS_NS::Modify* modify);
 
 // The normal models in the lines of a deck, if they differ.
 struct MixedModels {
-  std::string
-      text;  // "pair_style has thornton; fix floor has a model of LIGGGHTS"; empty: one model
+  // Text such as "pair_style has thornton; fix floor has one of LIGGGHTS' own models"; empty if all
+  // lines have the same model.
+  std::string text;
   std::string first;         // first line with a law, as in ContactOwner::name()
-  bool has_foreign = false;  // whether a line has a model of LIGGGHTS
+  bool has_foreign = false;  // whether a line has one of LIGGGHTS' own models
 };
 MixedModels mixed_models(LAMMPS_NS::LAMMPS* engine);
 

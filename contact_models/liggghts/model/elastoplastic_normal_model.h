@@ -63,8 +63,8 @@ class ElastoplasticNormalModel : public NormalModelSetup<Law> {
   void endPass(SurfacesIntersectData&, ForceData&, ForceData&) override {}
 
  private:
-  // The attribute `flatten` inlines the law. The compiler then removes its energies if the load
-  // does not count them.
+  // The attribute `flatten` inlines the law. The compiler then omits the computation of its
+  // energies if the load does not count them.
   template <class Load>
   [[gnu::flatten, gnu::noinline]] void apply_force(SurfacesIntersectData& contact, Load& i_forces,
                                                    ForceData& j_forces) {
@@ -147,8 +147,8 @@ class ElastoplasticNormalModel : public NormalModelSetup<Law> {
     return plastigran::Complaint(
         "a particle of radius " +
         std::to_string(contact.is_wall ? contact.radi : std::min(contact.radi, contact.radj)) +
-        " is smaller than all particles at the start of the run. The range of adhesion was "
-        "computed for these particles. After you create smaller particles, give `run 0`");
+        " is smaller than all particles at the start of the run, for which the range of adhesion "
+        "was computed. After you create smaller particles, give `run 0`");
   }
 
   // Returns the state before this step. The history contains this state until the end of the step.

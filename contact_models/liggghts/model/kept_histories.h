@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // Adds the fixes that keep contact histories and check the motion of the particles. A normal model
-// calls this function before each run.
+// calls keep_histories() before each run.
 #pragma once
 
 #include <cstddef>

@@ -15,7 +15,7 @@ namespace plastigran {
 template <class Law>
 class NormalModelSettings {
  public:
-  typename Law::Parameters choices;  // options of the law; the constants in it keep their defaults
+  typename Law::Parameters choices;  // options of the law; its constants keep their defaults here
   bool viscous_damping = false;
   bool tangential_damping = true;  // whether the tangential spring has a dashpot
   double overlap_limit = 1.0;      // largest overlap/smaller radius before the run stops
@@ -49,7 +49,8 @@ class NormalModelSettings {
   }
 
   // Returns log lines on deck properties that this model does not use; empty for walls.
-  // `has_foreign` is true if another line has a model of LIGGGHTS, which uses the restitution.
+  // `has_foreign` is true if another line has one of LIGGGHTS' own models, which use the
+  // restitution.
   std::string describe_unused(const std::string& caller, const DeckProperties& deck, bool is_wall,
                               bool has_foreign) const {
     if (is_wall) return "";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Interface of contacts that can compute their stored energies again, until their particles move.
+// Interface of a pair style that can compute the stored energies of its contacts again, as long as
+// the particles have not moved.
 #pragma once
 
 namespace plastigran {

@@ -11,7 +11,8 @@ class LAMMPS;
 
 namespace plastigran {
 
-// Returns the extremes of the particles on all ranks; element k has atom type k + 1. Collective.
+// Returns the extremes of size and velocity of the particles on all ranks, for atom type k + 1 at
+// index k. Collective.
 std::vector<TypeExtremes> type_extremes(LAMMPS_NS::LAMMPS* engine, int type_count);
 
 }  // namespace plastigran

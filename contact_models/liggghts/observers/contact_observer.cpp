@@ -39,11 +39,10 @@ void ContactObserver::init() {
 
 void ContactObserver::setup_pre_exchange() {
   if (!owners_.has(force->pair_match("gran", 1)))
-    fail("the pair_style line has a model of LIGGGHTS. Use one of this plugin's laws");
+    fail("the pair_style line has one of LIGGGHTS' own models. Use a law of this plugin");
   const std::string walls = owners_.new_missing_walls(modify);
   if (comm->me == 0 && !walls.empty())
-    warn(lmp,
-         name() + ": contacts with walls that have a model of LIGGGHTS are not counted: " + walls);
+    warn(lmp, name() + ": contacts of walls with LIGGGHTS' own models are not counted: " + walls);
 }
 
 void ContactObserver::fail(const std::string& reason) const { stop(lmp, name() + ": " + reason); }
@@ -55,7 +54,7 @@ std::string uncountable(LAMMPS_NS::LAMMPS* engine) {
   for (const std::string style : {"multisphere", "rigid"})
     if (engine->modify->n_fixes_style(style.c_str()) > 0)
       return "fix " + style + " is not supported, because contacts are counted for particles and " +
-             "not for rigid bodies. Remove one of them";
+             "not for rigid bodies. Remove one of the two";
   return "";
 }
 

@@ -5,10 +5,10 @@
 // models, and sum the forces in the same order, so the results are bitwise identical. (If the
 // compiler uses fused multiply-add, a contact may begin one step later.)
 //
-// The loop is faster for three reasons. It selects the touching pairs first, which avoids
+// The loop is faster for four reasons. It selects the touching pairs first, which avoids
 // mispredicted branches. It passes near pairs without overlap to the models only if they may have a
-// contact history. The energies are part of the load, which is not copied. Stored energies are
-// computed only when the ledger needs them, in a separate pass.
+// contact history. Its loads contain the energies, so that no load is copied to count them. Stored
+// energies are computed only when the ledger needs them, in a separate pass.
 #pragma once
 
 #include <cmath>
@@ -141,7 +141,8 @@ class PairLoop : public LIGGGHTS::PairStyles::Granular<Contact>, private StoredE
     double** const x = atom->x;
     const double* const radius = atom->radius;
     const double factor = engine_->neighbor->contactDistanceFactor;
-    const double squares[] = {1, factor * factor};  // squared limits of touching and near pairs
+    // Squared distance limits of touching and of near pairs, divided by the squared sum of radii.
+    const double squares[] = {1, factor * factor};
     const double xi = x[i][0], yi = x[i][1], zi = x[i][2], radius_i = radius[i];
     if (selected_.size() < std::size_t(count)) selected_.resize(count);
     int* end = selected_.data();

@@ -31,7 +31,7 @@ namespace {
 // Pair style or wall whose histories a fix stores.
 struct Owner {
   std::string name;  // "pair_style" or "fix ID"; empty: the fix stores something else
-  // Names of the contact models as in ContactLine, without options; empty for models of LIGGGHTS.
+  // Names of the contact models as in ContactLine, without options; empty for LIGGGHTS' own models.
   std::string models;
 };
 
@@ -89,13 +89,14 @@ void discard_if_foreign(LAMMPS* engine, const std::string& fix_id, const std::st
   if (fix_id.rfind(mesh_contacts, 0) == 0) return;
   if (owner.models.empty()) {
     warn(engine, owner.name + ": the restart file has contacts of `" + models +
-                     "`, which a model of LIGGGHTS cannot continue. Their residual overlaps and "
+                     "`, which LIGGGHTS' own models cannot continue. Their residual overlaps and "
                      "tangential springs are discarded");
     return;
   }
   print(engine, owner.name +
-                    ": the restart file has contacts of a model of LIGGGHTS. They begin as first "
-                    "loading to their current overlap, without tangential springs\n");
+                    ": the restart file has contacts of one of LIGGGHTS' own models, not of a law "
+                    "of this plugin. They begin as first loading to their current overlap, without "
+                    "tangential springs\n");
 }
 
 template <class Fix>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // A deck may read a restart file of LIGGGHTS' own models and continue with a law, for example after
-// a bed has settled with `hertz`. It may also continue with a model of LIGGGHTS after a law.
-// LIGGGHTS would stop, because the history values differ. These functions discard such histories
-// with a message. The contacts then begin as first loading to their current overlap.
+// a bed has settled with `hertz`. It may also continue with LIGGGHTS' own models after a law.
+// LIGGGHTS would stop, because the history values differ. The plugin discards such histories with a
+// message. The contacts then begin as first loading to their current overlap.
 #pragma once
 
 namespace LAMMPS_NS {

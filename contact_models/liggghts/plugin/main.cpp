@@ -93,8 +93,8 @@ int main(int argc, char** argv) {
   if (rank == 0) std::cerr << unknown_models(CommandLine(argc, argv));
   LAMMPS_NS::LAMMPS* engine = new LAMMPS_NS::LAMMPS(argc, argv, MPI_COMM_WORLD);
   engine->input->file();
-  // Delete this fix first. Otherwise it would copy the contact histories before LIGGGHTS deletes
-  // them.
+  // Delete the HistoryKeeper first. Otherwise it would copy the contact histories before LIGGGHTS
+  // deletes them.
   char keeper[] = "plastigran_history";
   if (engine->modify->find_fix(keeper) >= 0) engine->modify->delete_fix(keeper);
   delete engine;

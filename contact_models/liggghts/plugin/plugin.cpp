@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // Checks that the plugin was compiled for this LIGGGHTS. The data layout is checked when the plugin
-// is loaded, the version at the first line with a law. With a wrong layout, pairs would work but
-// walls would crash. LIGGGHTS builds with superquadric particles have larger data structures. They
-// are recognized by the symbol of the superquadric atom style.
+// is loaded, and the version at the first line with a law. With a wrong layout, pairs would work
+// but walls would crash. If LIGGGHTS was built with superquadric particles, its data structures are
+// larger. The symbol of the superquadric atom style shows whether it was.
 #include <dlfcn.h>
 #include <unistd.h>
 

@@ -82,8 +82,8 @@ void CollisionSpectra::add(const Contact& contact, const AccountedLoad& on_i, co
     energy_ += energy;
     return;
   }
-  // A particle can touch several triangles of one wall in a step. Only the first adds the work of
-  // the load of the previous step.
+  // A particle can touch several triangles of one wall in a step. Only the first triangle adds the
+  // work of the previous step's load.
   const bool first = !records_.touch(holder, place);
   advance(records_.at(holder, place), contact, on_i, load, exchanged, first);
 }

@@ -118,9 +118,9 @@ int CollisionSpectra::maxsize_restart() {
   return largest;
 }
 
-// Writes the state as text to the restart file: number of particles, number and energy of impacts,
-// energy of other contacts, per_decade, number and IDs of walls, and the counts since the last
-// table.
+// Writes the state as text to the restart file: number of particles, number and energy of counted
+// impacts, energy of all other contacts, per_decade, number and IDs of walls, and the counts since
+// the last table.
 void CollisionSpectra::write_restart(FILE* file) {
   const double impacts = compute_vector(IMPACTS), impact_energy = compute_vector(IMPACT_ENERGY);
   const double contact_energy = compute_vector(CONTACT_ENERGY);
@@ -143,7 +143,7 @@ void CollisionSpectra::restart(char* data) {
   for (std::string& wall : wall_ids_) text >> wall;
   if (per_decade != per_decade_)
     fail("the restart file has per_decade " + std::to_string(per_decade) + ", but the line has " +
-         std::to_string(per_decade_) + ". Use the earlier value, or another fix ID");
+         std::to_string(per_decade_) + ". Use the value of the file, or another fix ID");
   if (comm->me != 0) return;  // rank 0 takes the sums of all ranks
   impacts_ = impacts, impact_energy_ = impact_energy;
   energy_ = impact_energy + contact_energy;

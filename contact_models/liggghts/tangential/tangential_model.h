@@ -95,7 +95,7 @@ class TangentialLawModel : public LIGGGHTS::ContactModels::TangentialModelBase {
   typedef LIGGGHTS::ContactModels::ForceData Load;
   typedef typename Law::State State;
   static_assert(sizeof(State) == TangentialHistory<Law>::values * sizeof(double),
-                "the contact history must have one value per number of the state");
+                "the contact history must have one value for each double in struct State");
 
  public:
   TangentialLawModel(LAMMPS_NS::LAMMPS* engine, LIGGGHTS::IContactHistorySetup* setup,
@@ -128,8 +128,8 @@ class TangentialLawModel : public LIGGGHTS::ContactModels::TangentialModelBase {
                      (std::string("tangential_model ") + Law::name).c_str());
   }
 
-  // The attribute `flatten` inlines the law. The compiler then removes its energies if they are not
-  // counted.
+  // The attribute `flatten` inlines the law. The compiler then omits the computation of its
+  // energies if they are not counted.
   [[gnu::flatten]] void surfacesIntersect(const Contact& contact, Load& on_i, Load& on_j) override {
     if (contact.contact_flags)
       *contact.contact_flags |= LIGGGHTS::ContactModels::CONTACT_TANGENTIAL_MODEL;
@@ -168,8 +168,8 @@ class TangentialLawModel : public LIGGGHTS::ContactModels::TangentialModelBase {
     return text.str();
   }
 
-  // Advances the state of a contact whose number of rings is not the default. Its history is in two
-  // parts.
+  // Advances the state of a contact whose number of rings is not the default. The history stores
+  // the rings beyond the default number in a second part.
   [[gnu::noinline]] TangentialResponse respond_with_rings(double friction, const NormalLoad& load,
                                                           const TangentialMotion& motion,
                                                           double* history, bool writes) const {
@@ -256,7 +256,7 @@ class TangentialLawModel : public LIGGGHTS::ContactModels::TangentialModelBase {
   }
 
   ContactSetup& setup_;
-  double** friction_ = nullptr;  // mu of two particle types
+  double** friction_ = nullptr;  // friction coefficient mu of two atom types
   int history_offset_;
   int extra_rings_offset_ = -1;  // offset of the rings beyond the default number; -1 if none
   double rings_ = default_rings;

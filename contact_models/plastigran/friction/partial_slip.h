@@ -49,9 +49,9 @@ class PartialSlip {
     double compliance = 0;      // c [m/N^(2/3)]: h = c p^2
     Ring rings[capacity] = {};  // from the middle outward
   };
-  // Returns whether value k of the state changes its sign if the two bodies are exchanged. Then the
-  // normal, the x axis and the force change their signs. The y axis, normal cross x, stays the
-  // same, so the y components of D change their signs, but the x components do not.
+  // Returns whether value k of the state changes its sign if the two bodies are exchanged. The
+  // exchange changes the signs of the normal, the x axis and the force. The y axis, normal cross x,
+  // stays the same, so the y components of D change their signs, but the x components do not.
   static constexpr bool changes_sign(std::size_t k) { return k < 6 || (k > 6 && (k - 7) % 3 == 2); }
   PLASTIGRAN_DEVICE static constexpr std::size_t state_size(int rings) {
     return 7 + 3 * std::size_t(rings);
@@ -188,7 +188,7 @@ class PartialSlip {
     PLASTIGRAN_DEVICE void scale(double factor) {
       for (int k = 0; k < count; ++k) ring[k].x *= factor, ring[k].y *= factor;
     }
-    // Limits every D to the length `largest`; differences of round-off stay.
+    // Limits every D to the length `largest`, with a tolerance for round-off.
     PLASTIGRAN_DEVICE void limit(double largest) {
       for (int k = 0; k < count; ++k) {
         const double square = dot(share(ring[k]), share(ring[k]));

@@ -39,14 +39,15 @@ auto overlap_breaks(const Law& law, [[maybe_unused]] double radius_eff) {
 }
 
 // Computes the central impact of a rate-dependent law by integrating m* d^2 overlap/dt^2 = -F from
-// first touch until the force vanishes. With root = sqrt(overlap) and the time tau, dt = root dtau,
-// the equations are smooth even if the force begins as sqrt(overlap):
+// first touch until the force vanishes. With root = sqrt(overlap) and a new time tau, defined by
+// dt = root dtau, the equations are smooth even if the force begins as sqrt(overlap):
 //
 //   d root/dtau = rate/2,   d rate/dtau = -root F/m*
 //
 // The integrator is Runge-Kutta of fourth order. Each step is computed once in full and once as two
 // half steps. The difference estimates the error, which is subtracted (Richardson extrapolation).
-// The error is limited to 1e-12 of the larger root of the step and of the impact speed.
+// The error of root is at most 1e-12 times the larger root of the step. The error of the rate is at
+// most 1e-12 times the impact speed.
 template <class Law>
 ImpactOutcome rate_dependent_impact(const Law& law, double radius_eff, double mass_eff,
                                     double speed) {
@@ -140,8 +141,8 @@ Response follow_rebound(const Law& law, double radius_eff, ImpactOutcome& impact
   impact.overlap_res = high < 1e-9 * impact.overlap_max ? 0 : high;
 
   // Compute the slope from a small finite difference. The overlap has a relative round-off of about
-  // 1e-14. Therefore use the slope of a Hertz contact with the same energy if unloading covers less
-  // than 1e-7 of the overlap.
+  // 1e-14. Therefore, if unloading covers less than 1e-7 of the overlap, use the slope of a Hertz
+  // contact with the same force and elastic energy.
   const double step = 1e-4 * (impact.overlap_max - impact.overlap_res);
   impact.stiffness_max = step > 1e-11 * impact.overlap_max
                              ? (peak.force - force(impact.overlap_max - step)) / step
@@ -251,10 +252,10 @@ double jump_error([[maybe_unused]] const Law& law, [[maybe_unused]] double radiu
 }
 
 // Constants of the recommended time step, 0.1 sqrt(m*/k) with the largest stiffness k during the
-// impact. The step is shorter if the force depends on the overlap rate, with the slope c, because
-// hosts use the rate of half a step earlier. For a smooth force, the error of restitution is at
-// most 9e-4 and of second order in the step. For a force with jumps, the step is shorter, so that
-// the total error is 1e-3. Kinks of the force add up to 2e-4 (docs/timestep.md).
+// impact. If the force depends on the overlap rate, the step is shorter, because hosts use the rate
+// of half a step earlier; c is dF/d(overlap rate). For a smooth force, the error of restitution is
+// at most 9e-4 and of second order in the step. For a force with jumps, the step is shorter, so
+// that the total error is 1e-3. Kinks of the force add up to 2e-4 (docs/timestep.md).
 constexpr double timestep_fraction = 0.1;
 constexpr double timestep_damping = 16;  // coefficient of c^2/(k m*)
 constexpr double smooth_error = 9e-4, restitution_error = 1e-3;
@@ -277,8 +278,8 @@ double recommended_timestep(const Law& law, double radius_eff, double mass_eff, 
                               central_impact(law, radius_eff, mass_eff, speed));
 }
 
-// Returns the recommended time step [s] of the impact at `speed` that loads to `overlap`. With a
-// given overlap, laws without rate dependence need no search for the largest overlap.
+// Returns the recommended time step [s] of an impact at `speed` whose largest overlap is `overlap`.
+// The given overlap saves the search for the largest overlap, except for rate-dependent laws.
 template <class Law>
 double recommended_timestep_of_load(const Law& law, double radius_eff, double mass_eff,
                                     double speed, double overlap) {

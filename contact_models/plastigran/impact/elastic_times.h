@@ -18,8 +18,8 @@ inline double hertz_duration(double radius_eff, double mass_eff, double youngs_m
                              0.2);
 }
 
-// Returns the travel time of a surface wave from pole to pole of a sphere [s]. The ratio of its
-// speed to the shear wave speed is 0.8766 + 0.1631 nu, the usual linear fit to the root of
+// Returns the travel time of a surface wave from pole to pole of a sphere [s]. The speed of the
+// wave divided by the shear wave speed is 0.8766 + 0.1631 nu, the usual linear fit to the root of
 // Rayleigh's equation (Li, Xu & Thornton 2005, Powder Technol. 160:219).
 inline double rayleigh_time(double radius, double density, double youngs_modulus,
                             double poissons_ratio) {

@@ -44,9 +44,9 @@ inline Complaint validate(const Body& body) {
   return {};
 }
 
-// Checks the joint condition of a law on its constants and the pair, if it has one: a function
-// static bool admissible(const MaterialPair&, const Parameters&), and the error message
-// `admissibility` with field names in braces.
+// Checks the condition that a law may define for its constants and the pair together. Such a law
+// has a function static bool admissible(const MaterialPair&, const Parameters&), and the error
+// message `admissibility` with field names in braces.
 template <class Law>
 auto joint_complaint(const MaterialPair& pair, const typename Law::Parameters& constants, int)
     -> decltype(Law::admissible(pair, constants), Complaint()) {

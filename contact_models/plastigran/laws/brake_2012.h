@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // Brake 2012 (Int. J. Solids Struct. 49:3129): Hertz until yield, then a cubic, then full
-// plasticity at the indentation pressure P0. The cubic has the values and slopes of its neighbors
-// at both ends. In yield units, x = overlap/overlap_y and f = F/F_y:
+// plasticity at the indentation pressure P0. The cubic continues the adjacent curves without a jump
+// in value or slope. Full plasticity begins at x_p, where the contact radius is a_p. In yield
+// units, x = overlap/overlap_y and f = F/F_y:
 //
 //   overlap_y = R* (pi p_y/(2 E*))^2,  a_p = 3 pi P0 R*/(4E*),  alpha = a_p/a_y,  x_p = alpha^2
 //   f = alpha (2x - alpha^2),  a^2 = (2x - alpha^2) a_y^2          x >= x_p
@@ -10,8 +11,9 @@
 //
 // Three conditions determine the constants (derivation: docs/laws/brake_2012.md). Full plasticity
 // begins where the mean pressure of the Hertz contact is P0. In full plasticity, the contact area
-// grows like the section of the undeformed sphere by the plane of contact. Unloading begins with
-// the contact area at the largest overlap. These conditions are assumptions of this package.
+// grows like the section of the undeformed sphere by the plane of contact. Unloading follows Hertz'
+// law and starts with the contact radius a_max at the largest overlap. These conditions are
+// assumptions of this package.
 //
 // Near yield, the rebound speed would be up to 5 % higher than the impact speed; the energy guard
 // prevents this. Range: the law is as accurate as the given P0, which must be above 2/3 p_y.

@@ -14,7 +14,7 @@
 // Morrissey 2013 (PhD thesis, Edinburgh) instead derives k_adh from a surface energy and the
 // largest contact.
 //
-// Range: fitted ratios of stiffness, overlaps below R*.
+// Range: the stiffness ratios must be fitted; overlaps below R*.
 #pragma once
 
 #include "plastigran/shared/adhesive_limit.h"

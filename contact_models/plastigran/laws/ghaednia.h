@@ -7,8 +7,8 @@
 //   f = exp(-0.17 x^(5/12)) x^1.5 + 4H/(C sigma_Y) (1 - exp(-x^(5/9)/78)) x^1.1   x > 1.9
 //   overlap_res = 0.8 overlap_max (1 - ((x + 5.5)/6.5)^-2)                        x > 1.9
 //
-// In print, 1.1 may be an exponent of x (option `loading exponent`, the default) or a factor of x
-// (option `loading prefactor`). The force jumps by -10 % at x = 1.9.
+// The printed equation leaves open whether 1.1 is an exponent of x (option `loading exponent`, the
+// default) or a factor of x (option `loading prefactor`). The force jumps by -10 % at x = 1.9.
 // Range: one steel on iron, overlaps to about 1000 overlap_c.
 #pragma once
 

@@ -3,10 +3,10 @@
 // Ghaednia, Brake, Berryhill & Jackson 2019 (J. Tribol. 141:031402): flattening of a sphere with
 // linear hardening by a rigid plane, fitted to finite elements. The force f is a weighted average
 // of the Hertz force and the force f_p of Jackson & Green. Without hardening, f = f_p. a_p is the
-// contact radius of Jackson & Green; C and x are defined in laws/jackson_green.h:
+// contact radius of Jackson & Green; overlap_c and x are defined in laws/jackson_green.h:
 //
 //   f = f_p + (x^1.5 - f_p) (1 - exp(-3.3 E_t/E))             x > 1.9; Hertz before
-//   a = a_e + (a_p - a_e) e^Y,   a_e^2 = R overlap
+//   a = a_e + (a_p - a_e) exp(Y),   a_e^2 = R overlap
 //   Y = -2 sqrt(E/sigma_Y) (E_t/E)^(1 - (overlap - overlap_c)/R)
 //       / ((4 - 3 exp(-2 sqrt(E/sigma_Y) E_t/E)) (1 - E_t/E)),  0 without hardening
 //

@@ -11,7 +11,7 @@
 //     |   /     _/
 //     |   `---'
 //
-// Forming and breaking a contact dissipates 1.0524 (pi^5 Gamma^5 R*^4/E*^2)^(1/3).
+// Forming and breaking a contact dissipates the energy 1.0524 (pi^5 Gamma^5 R*^4/E*^2)^(1/3).
 // Range: a << R*; soft or large bodies: (R* Gamma^2/E*^2)^(1/3) much larger than the distance
 // between atoms.
 #pragma once

@@ -8,10 +8,11 @@
 //   k = k_1 + (k_2 - k_1) overlap_max/overlap_limit
 //   overlap_limit = k_2/(k_2 - k_1) phi 2 R*
 //
-// Beyond overlap_limit the contact follows its unloading line, elastic with k_2. On the adhesive
-// limit, overlap_max decreases so that the contact stays on its unloading line: overlap_max is the
-// positive root x of x^2 - overlap x = (k_1 + k_c) overlap overlap_limit/(k_2 - k_1). The force is
-// zero without overlap. In the source, 2 R* is 2 a_1 a_2/(a_1 + a_2), with the radii a_1, a_2.
+// Beyond overlap_limit, the contact is elastic: it follows its unloading line with the stiffness
+// k_2. On the adhesive limit, overlap_max decreases so that the contact stays on its unloading
+// line: overlap_max is the positive root x of x^2 - overlap x = (k_1 + k_c) overlap
+// overlap_limit/(k_2 - k_1). The force is zero without overlap. In the source, 2 R* is
+// 2 a_1 a_2/(a_1 + a_2), with the radii a_1, a_2.
 //
 //   F |          / |
 //     |        /  /        k_1, then k

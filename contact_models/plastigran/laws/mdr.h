@@ -10,7 +10,7 @@
 //
 //   h(y) = 2/pi (acos(1-y) - (1-y) sqrt(2y - y^2)),   p(xi) = sigma_Y (1.75 exp(-4.4 xi) + 1)
 //   F = pi E' R^2 h(y),  a = R sqrt(2y - y^2),  y = xi/2      while 4 E' sqrt(xi)/(3 pi) <= p(xi)
-//   beyond yield at xi_Y, where 4 E' sqrt(xi_Y)/(3 pi) = p(xi_Y), with xi of the largest overlap:
+//   yield at xi_Y, where 4 E' sqrt(xi_Y)/(3 pi) = p(xi_Y); beyond yield, with xi = overlap_max/R:
 //   a_max^2 = R^2 (2 xi - xi^2 + xi_Y^2 - xi_Y),   F_max = pi a_max^2 p(xi)
 //   F = F_max h(y),  a = a_max sqrt(2y - y^2),  y = 1 - (overlap_max - overlap)/recovery
 //   recovery = A/2 (1 - a_max/s (1 - (1-2 nu) z/(2 (1-nu) (s+z)))),

@@ -10,10 +10,10 @@
 //   f = q 2.8/th               beyond
 //
 // The sources do not state the unloading curve. Three versions are in use, all with a force
-// proportional to (overlap - overlap_res)^(3/2):
-//   book             overlap_max - overlap_res = overlap_Y sqrt(q)           (default)
-//   area             constant contact area: 3 F_max/(4 E* a_max)
-//   original_radius  Hertz with the undeformed R*: (3 F_max/(4 E* sqrt(R*)))^(2/3)
+// proportional to (overlap - overlap_res)^(3/2). They differ in overlap_max - overlap_res:
+//   book             overlap_Y sqrt(q)                     (default)
+//   area             3 F_max/(4 E* a_max)                  Hertz, from the contact radius a_max
+//   original_radius  (3 F_max/(4 E* sqrt(R*)))^(2/3)       Hertz with the undeformed R*
 //
 // The force is continuous, but its slope increases by a factor of 1.74 at yield. Up to x = 1.9
 // (`book`) or 4.0 (the other two), every version would therefore release more energy than loading

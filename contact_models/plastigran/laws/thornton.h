@@ -2,7 +2,7 @@
 //
 // Thornton 1997 (J. Appl. Mech. 64:383): Hertz contact whose pressure is limited to the yield
 // pressure p_y. The equations are those of Zhang & Vu-Quoc 2002 (Int. J. Impact Eng. 27:317), eqs
-// 4.10-4.11. Unloading begins with the contact area at the largest overlap.
+// 4.10-4.11. Unloading follows Hertz' law and starts with the contact radius a_max at overlap_max.
 //
 //   overlap_y = R* (pi p_y/(2 E*))^2                      yield
 //   F = 4/3 E* sqrt(R*) overlap^(3/2)                     overlap <= overlap_y

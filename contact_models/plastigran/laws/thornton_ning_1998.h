@@ -10,9 +10,9 @@
 //   R_p* = R* P_1/(F_max + 2 (P_c P_1)^(1/2)),  P_1 = 4 E* a_max^3/(3 R*)          unloading
 //   overlap - overlap_p = s^4/R_p* - c s,  overlap_p = a_max^2 (1/R* - 1/R_p*)
 //
-// The force beyond yield is the paper's dF/d(overlap), integrated over the contact radius. Without
-// adhesion the law equals `thornton`; without yield it equals `jkr`. After pull-off, the contact
-// forms again at overlap_p, where the flattened surfaces touch.
+// The paper gives dF/d(overlap) beyond yield; F is its integral, as a function of the contact
+// radius. Without adhesion the law equals `thornton`; without yield it equals `jkr`. After
+// pull-off, the contact forms again at overlap_p, where the flattened surfaces touch.
 //
 // If a contact yields at s_y^3 < 5/4 c R*, it is under tension. The published unloading then
 // releases more energy than loading took. With the option energy_guard, such a contact yields at
@@ -174,8 +174,8 @@ class ThorntonNing1998 {
   JkrContact contact_;
   double pressure_;  // pi p_y
   bool guarded_;
-  // Table as functions of R* per_length_: s_y/root_unit_, and (pressure of the guarded law)/(pi
-  // p_y).
+  // Table of two functions of R* per_length_: s_y/root_unit_, and Yield::pressure/(pi p_y), which
+  // exceeds 1 where the energy guard increases the yield pressure.
   typedef Tabulated<2, 10, 20, 96> Yields;
   double root_unit_;   // c E*/(pi p_y)
   double per_length_;  // (pi p_y/E*)^3/c^2

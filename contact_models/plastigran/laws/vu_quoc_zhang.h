@@ -17,8 +17,8 @@
 //
 // The defaults of c_a and k_c follow from the paper's calibration for an aluminum sphere of 0.1 m
 // radius: C_a = 2.33e-7 m/N, K_c = 2.69e-4 1/N. Range: calibrated up to F = 41 P_Y for nu = 0.3,
-// perfectly plastic. Far beyond, F tends to (k_c/c_a^2) P_Y overlap/overlap_Y, a mean pressure that
-// no metal reaches.
+// perfectly plastic. Far beyond, F tends to (k_c/c_a^2) P_Y overlap/overlap_Y. F/(2 pi R* overlap)
+// is then 4.9 p_y, a mean pressure that no metal reaches.
 #pragma once
 
 #include "plastigran/tables/parametric_table.h"

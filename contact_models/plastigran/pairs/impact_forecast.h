@@ -70,12 +70,13 @@ class ImpactForecast {
 
   const std::vector<Meeting>& meetings() const { return meetings_; }
 
-  // Returns the pairs of types that can touch now or later: all pairs except those with wall types
-  // that have no particles.
+  // Returns the pairs of types that can touch now or later: all pairs, except those in which a
+  // particle would have a type that only walls have.
   const std::vector<std::pair<int, int>>& expected() const { return expected_; }
 
-  // Returns the shortest Rayleigh time of the particles as spheres [s]; ImpactTimes::unknown
-  // without particles. `materials[k]` belongs to atom type k + 1.
+  // Returns the shortest Rayleigh time [s] of spheres that have the smallest radius and mass of an
+  // atom type; ImpactTimes::unknown if there are no particles. `materials[k]` belongs to atom type
+  // k + 1.
   double rayleigh_time(const std::vector<Body>& materials) const {
     double shortest = ImpactTimes::unknown;
     for (std::size_t k = 0; k < types_.size(); ++k) {

@@ -41,9 +41,9 @@ Complaint refusal(const std::vector<Meeting>& meetings,
 struct ImpactTimes {
   static constexpr double unknown = 1e300;  // value of a time [s] if no impact is expected
   double step = unknown;                    // shortest recommended time step [s]
-  double step_speed = 0;                    // speed of the impact that has this time step [m/s]
+  double step_speed = 0;                    // speed of the impact that needs this step [m/s]
   double hertz = unknown;                   // shortest duration of an elastic impact [s]
-  double outside_speed = 0;  // largest speed that exceeds the validity range of the law [m/s]
+  double outside_speed = 0;  // largest speed of an impact beyond the validity range [m/s]
 };
 
 template <class Law>

@@ -14,7 +14,7 @@ struct DeepContact {
   double radius_eff, overlap;  // R* and overlap [m]
   double closing;              // approach of the two bodies in one time step [m]
   const State &before, &now;   // state before and after the step
-  bool has_moved_freely;       // whether commands may have moved the particles
+  bool has_moved_freely;       // whether a command may have moved the particles before this step
   double share;  // fraction of the contact that this rank counts; another rank counts the rest
 };
 
@@ -23,8 +23,9 @@ struct RangeAccount {
   double furthest = 0;  // largest ratio of overlap to limit
 
   // Counts a contact when its overlap exceeds the limit (range times R*) for the first time. This
-  // is the case if loading to the limit would change the state before the step. The law is not
-  // called if the state is unchanged, or if the overlap was well beyond the limit one step ago.
+  // is the case if loading to the limit changes the state that the contact had before this step.
+  // The law is not called if this step left the state unchanged, or if the overlap was well beyond
+  // the limit before this step.
   template <class Law>
   void add(const Law& law, double range, const DeepContact<typename Law::State>& contact) {
     typedef typename Law::State State;

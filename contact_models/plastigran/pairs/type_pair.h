@@ -17,7 +17,7 @@ struct TypePair {
 
   double checked_from = 0;  // overlap/R* beyond which a host checks contacts
   Complaint refusal;        // reason why the law does not support the two types; empty if it does
-  bool lacking = false;     // whether both bodies lack a constant, an error only if they touch
+  bool lacking = false;     // whether both bodies lack the same constant; an error if they touch
   Law law;
   MaterialPair bodies;
   double checked_to = 0;  // 1.1 times the largest overlap/R* checked so far

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // Adhesive elastic contact of spheres after Johnson, Kendall & Roberts 1971 (Proc. R. Soc. Lond. A
-// 324:301), and functions that adhesive laws share. With the work of adhesion Gamma, s = a^(1/2)
-// and c = (2 pi Gamma/E*)^(1/2):
+// 324:301), and functions that adhesive laws share. With the work of adhesion Gamma, the contact
+// radius a, s = a^(1/2) and c = (2 pi Gamma/E*)^(1/2):
 //
 //   overlap = s^4/R* - c s
 //   F = 4/3 E* s^6/R* - 2 E* c s^3
@@ -111,8 +111,8 @@ class JkrContact {
     return adhesive_root(overlap * radius_eff, pull_ * radius_eff);
   }
 
-  // Returns the sum of elastic and surface energy of a contact that has just formed, or that is
-  // about to break [J].
+  // Returns the sum of elastic and surface energy of a contact [J]. If `forms`, the contact has
+  // just formed; otherwise it is about to break.
   double energy_at_end(double radius_eff, bool forms) const {
     const Response end = at(radius_eff, root(radius_eff, forms ? 0 : pull_off_overlap(radius_eff)));
     return end.elastic_energy + end.surface_energy;
@@ -142,7 +142,7 @@ class JkrContact {
 };
 
 // Returns the pull-off force F_c [N], which enters the limit of friction: |T| <= mu (F + F_c)
-// (Derjaguin 1934, Z. Phys. 88:661). Luding 2008 uses k_c overlap for F_c.
+// (Derjaguin 1934, Z. Phys. 88:661). In the law of Luding 2008, F_c is k_c times the overlap.
 template <class Law>
 PLASTIGRAN_DEVICE double pull_off_force([[maybe_unused]] const Law& law,
                                         [[maybe_unused]] double radius_eff,
@@ -154,7 +154,8 @@ PLASTIGRAN_DEVICE double pull_off_force([[maybe_unused]] const Law& law,
     return 0;
 }
 
-// Returns the pull-off force of a response that the law has already computed [N].
+// Returns the pull-off force F_c [N]. For a law whose contacts can stretch, the `response` at this
+// overlap already contains it.
 template <class Law>
 PLASTIGRAN_DEVICE double pull_off_force(const Law& law, double radius_eff, double overlap,
                                         const typename Law::State& state,

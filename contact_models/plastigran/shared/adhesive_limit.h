@@ -58,7 +58,7 @@ class AdhesiveLimit {
  private:
   PLASTIGRAN_DEVICE const Law& law() const { return static_cast<const Law&>(*this); }
 
-  // Updates the state for first loading from the largest overlap to `overlap`.
+  // Updates the state for first loading from overlap_max to `overlap`.
   template <class Scale>
   PLASTIGRAN_DEVICE void load(const Scale& scale, double overlap, State& state) const {
     const double before = state.overlap_max;

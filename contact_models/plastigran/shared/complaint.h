@@ -40,7 +40,7 @@ class Complaint {
     return text + sentence_.substr(at);
   }
 
-  // Returns the sentence with the field names without braces.
+  // Returns the sentence without the braces around field names.
   std::string text() const {
     return worded([](const std::string& field) { return field; });
   }

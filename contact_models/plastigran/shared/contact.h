@@ -9,8 +9,8 @@
 //
 //   name         name in decks; source: the publication; range: where the law is valid
 //   Parameters   struct of the law's own constants, each with its default
-//   State        struct of doubles, zero before first touch: the extremes that the contact has
-//                reached, symmetric in the two bodies
+//   State        struct of doubles, zero before first touch: extremes of the contact history,
+//                which do not depend on the order of the two bodies
 //   state_names  array of the names of these doubles, in their order
 //   respond(radius_eff, overlap, state)
 //                returns the Response, which depends on overlap and state only. It changes `state`
@@ -27,8 +27,10 @@
 //   yields = false          the law needs no yield strength
 //   hardens = true          the law uses the tangent modulus
 //   indentation = true      a hard sphere indents a flat; otherwise a sphere flattens
-//   self_similar = true     the curves in yield units do not depend on the yield strength
-//   respond_stronger(factor, radius_eff, overlap, state)    response with factor * yield strength
+//   self_similar = true     F/F_y and a/a_y, as functions of overlap/overlap_y, do not depend on
+//                the yield strength
+//   respond_stronger(factor, radius_eff, overlap, state)
+//                returns the response for the yield strength multiplied by `factor`
 //   overlap_range()         largest overlap/R* for which the law is valid
 //   overlap_breaks()        values of overlap/R* at which the force of first loading may jump
 //   elastic_stiffness(contact_radius)      stiffness of the elastic contact
@@ -136,8 +138,8 @@ constexpr std::array<Option<typename Law::Parameters>, 0> options_of{};
 template <class Law>
 constexpr auto options_of<Law, std::void_t<decltype(Law::options)>> = Law::options;
 
-// Return the constants and options of a law, followed by `more`. `Parameters` derives from the
-// law's own parameters.
+// The next two functions return the constants and the options of a law, followed by `more`.
+// `Parameters` derives from the parameters of the law.
 template <class Law, class Parameters, class... More>
 constexpr auto inherited_parameters(const More&... more) {
   std::array<Parameter<Parameters>, parameters_of<Law>.size() + sizeof...(More)> all{};
@@ -294,9 +296,9 @@ inline double yield_radius_ratio(const MaterialPair& pair) {
   return pi * pair.yield_pressure / (2 * pair.youngs_modulus_eff);
 }
 
-// Normal and tangential stiffness of an elastic contact [N/m], for springs and dashpots. A law for
-// bodies other than spheres defines elastic_stiffness(). For spheres: Mindlin 1949; Johnson,
-// Contact Mechanics (1985), sec. 4.2 and 7.2.
+// Normal and tangential stiffness of an elastic contact [N/m], for springs and dashpots. A law may
+// define its own elastic_stiffness(). Otherwise, the stiffness is that of elastic spheres (Mindlin
+// 1949; Johnson, Contact Mechanics, 1985, sec. 4.2 and 7.2).
 struct Stiffness {
   double normal, tangential;
 };

@@ -15,9 +15,9 @@
 //   unloading    a^2 = 4 q R_e with the radius R_e of the unloaded surface, larger than R
 //
 // The overlap is the approach of the cylinder to the far side of the body, so the thickness D
-// enters the logarithm. For large a, the logarithmic formula is invalid. If ln(4 D^2/a^2) - k < 2
-// (a > 0.6 D for nu near 0.25), outside the validity range, the load follows the tangent of the
-// curve.
+// enters the logarithm. For large a, the logarithmic formula is invalid. Therefore the load follows
+// the tangent of the curve if ln(4 D^2/a^2) - k < 2. This is outside the validity range: for nu
+// near 0.25, a exceeds 0.6 D.
 //
 // The laws differ in the unloading (tables/line_contact.h).
 #pragma once
@@ -42,14 +42,13 @@ PLASTIGRAN_DEVICE inline double lambert_root(double t) {
   return w;
 }
 
-// Returns load/overlap of the elastic contact at x = overlap/reach, where overlap = load
-// ln(reach/load): 1/w with w - ln w = ln(1/x).
+// Returns load/overlap of the elastic contact at x = overlap/reach. Because overlap = load
+// ln(reach/load), the result is 1/w, where w - ln w = ln(1/x).
 PLASTIGRAN_DEVICE inline double load_share(double x) {
   return 1 / lambert_root(std::max(1.25, -std::log(x)));
 }
 
-// Contact beyond yield, as functions of s and ln(s). Load and work are normalized by their values
-// at yield.
+// Contact beyond yield: load divided by the load at yield, and work, as functions of s and ln(s).
 struct LineYielding {
   static constexpr double hardening = 0.38490017945975051;  // pressure slope, (1/sqrt(3))/1.5
   static constexpr double pressure_cap = 1.6;  // largest mean pressure/pressure at yield, 2.4/1.5

@@ -40,7 +40,8 @@ inline double rate_factor(const MaterialPair& pair, double radius_eff, double sp
          rate_factor_step * std::round(pair.rate_coefficient * std::log(ratio) / rate_factor_step);
 }
 
-// Returns the pair with its strength multiplied by a rate factor and without rate dependence.
+// Returns the pair with its yield strength and yield pressure multiplied by a rate factor. The
+// returned pair does not depend on the strain rate.
 inline MaterialPair strengthened(MaterialPair pair, double factor) {
   pair.yield_strength *= factor;
   pair.yield_pressure *= factor;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // Law with the option `adhesion jkr`: adds adhesion to a law whose contacts are elastic at first
-// touch. docs/adhesion.md explains the equations. The index 1 marks values without adhesion. S is
-// the slope dF_1/d(overlap_1) of unloading, U_1 the elastic energy, and c = (2 pi Gamma/E*)^(1/2):
+// touch. docs/adhesion.md explains the equations. The index 1 marks values without adhesion. D is
+// the displacement due to adhesion, S is the slope dF_1/d(overlap_1) of unloading, U_1 is the
+// elastic energy, and c = (2 pi Gamma/E*)^(1/2):
 //
 //   overlap = overlap_1 - D,   F = F_1 - S D
 //   D = c (R* overlap_1)^(1/4)        first loading
@@ -10,7 +11,8 @@
 //   surface energy = -S D^2/4,   elastic + surface energy = U_1 - F_1 D + S D^2/4
 //
 // Up to yield, these are the equations of shared/adhesion.h. Adhesion delays first yield to the
-// contact radius a_y. From then on, the law has k times its yield strength:
+// contact radius a_y. Beyond yield, the law without adhesion is used with k times its yield
+// strength:
 //
 //   p_y + p_c = 2 E* a_y/(pi R*),   p_c = (2 Gamma E*/(pi a_y))^(1/2),   k = 1 + p_c/p_y
 //
@@ -171,7 +173,7 @@ class Adhesive {
     return loaded(x);
   }
 
-  // Returns k. The largest B that the work of loading allows sets its lower limit.
+  // Returns k, with a lower limit: number() must not exceed the largest B of adhesive_work.h.
   [[gnu::noinline, gnu::cold]] PLASTIGRAN_DEVICE double strength_factor(double radius_eff) const {
     const double b = onset_ / std::sqrt(radius_eff);
     const double q = root_at_yield(b);
@@ -342,7 +344,7 @@ class Adhesive {
   JkrContact contact_;
   double elastic_range_;       // overlap_y/R*
   double yield_radius_ratio_;  // a_y/R*
-  double onset_;               // b R*^(1/2) [m^(1/2)]
+  double onset_;               // b R*^(1/2) with the argument b of root_at_yield() [m^(1/2)]
   WorkOfLoading<Law> work_;
   Tabulated<quantities> loaded_;  // empty if `has_closed_form`
 };

@@ -3,8 +3,8 @@
 // Work of first loading of a law with adhesion (adhesive.h). It depends on x = overlap_1/overlap_y
 // and on B = 2 (1 - 1/k), which measures adhesion; k is the strength factor of a contact.
 //
-// The work of first loading and the energy at the largest overlap are polynomials in B, whose
-// coefficients are tables of x. Plastic work is the difference of the two.
+// The work of first loading is a polynomial in B, whose coefficients are tabulated as functions of
+// x. Plastic work is this work minus the elastic and surface energy at the largest overlap.
 //
 // For a large B, plastic work would decrease with x, as in the law of Thornton & Ning. The
 // constructor finds the largest B, up to 0.8, for which plastic work increases. A lower limit of k
@@ -40,7 +40,8 @@ auto kinks_of([[maybe_unused]] const Law& law) {
     return std::array<double, 1>{1};
 }
 
-// Values of a law after first loading to x, without the factor 1 + B eta.
+// Values of a law without adhesion after first loading to x, in yield units. The slope does not
+// include the factor 1 + B eta.
 struct AfterLoading {
   double force, slope, energy;
 };
@@ -103,9 +104,9 @@ class WorkOfLoading {
     const Works all = powers(law, x);
     return k == 3 ? all[0] + all[3] : all[k];
   }
-  // Tabulates the works from w_`first`. Only w_2 and w_3 depend on lost_.
+  // Builds the tables k >= `first`. Only w_2 and w_3 depend on lost_.
   void tabulate(const Law& law, std::size_t first) {
-    constexpr Works at_yield{0.4, 1, 0.375, 0.4};  // JKR
+    constexpr Works at_yield{0.4, 1, 0.375, 0.4};  // values of the JKR contact in tables 0 to 3
     for (std::size_t k = first; k < works_.size(); ++k) {
       const auto in_table = [&](double x) { return std::array{derivative(law, x, k)}; };
       works_[k] = Tabulated<1>(1, in_table, kinks_of(law)).integral(at_yield[k]);

@@ -14,7 +14,7 @@
 // Curve also has the members of contact.h that describe a law: name, source, range, Parameters. Its
 // constructor takes (MaterialPair, Parameters).
 //
-// A class Unloading (unloading.h) defines the shape of the curve between overlap_res and
+// A class Unloading (unloading.h) defines the shape of the unloading curve between overlap_res and
 // overlap_max.
 #pragma once
 
@@ -98,7 +98,8 @@ class CurveTable : public Curve, public LargestOverlap {
   }
 
  private:
-  // Quantities of a contact loaded to x, in yield units. First loading reads only the first two.
+  // Quantities of a contact loaded to x, in yield units. Force and contact radius of first loading
+  // need only the first two.
   enum Quantity { FORCE, RADIUS, INVERSE_RECOVERY, SHAPE };
   static constexpr std::size_t quantities = Unloading::has_shape ? 4 : 3;
   typedef std::array<double, quantities> Values;
@@ -180,9 +181,9 @@ class CurveTable : public Curve, public LargestOverlap {
   Tabulated<quantities> loaded_;
 };
 
-// Table of a law whose published curves release more energy than loading took near yield or where
-// the force jumps up. By default, the option energy_guard (energy_guard.h) reduces its recovered
-// overlap there.
+// Table of a law with the option energy_guard (energy_guard.h). Near yield, or where the force
+// jumps up, the published curves of such a law release more energy than loading took. There, the
+// guard (on by default) reduces the recovered overlap.
 template <class Curve, class Unloading>
 class GuardedTable : public CurveTable<Curve, Unloading> {
  public:

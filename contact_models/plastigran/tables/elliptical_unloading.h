@@ -54,7 +54,7 @@ class EllipticalUnloading {
   PLASTIGRAN_DEVICE static double work_ratio(double) { return 0.75 * pi; }
 
   PLASTIGRAN_DEVICE Response at(const Peak& peak, double y) const {
-    if (y == 1) return at_largest(peak);  // ensures a value bitwise identical to loading
+    if (y == 1) return at_largest(peak);  // bitwise identical to the response of first loading
     Response response;
     if (y > 0) {
       const double root = std::sqrt(y);
@@ -96,8 +96,9 @@ class EllipticalUnloading {
   }
   PLASTIGRAN_DEVICE static double chord(double y) { return y < 1 ? std::sqrt(y * (2 - y)) : 1; }
 
-  // Returns 4 sqrt(2)/pi times the sum of binomial(1/2, k) (-y/2)^k/(k + 3/2). For the integral of
-  // h, each term is also divided by (k + 5/2). For y < 1/4, 16 terms have an error below 1e-17.
+  // Returns h/y^(3/2) if integrals = 0: 4 sqrt(2)/pi times the sum of binomial(1/2, k)
+  // (-y/2)^k/(k + 3/2). If integrals = 1, divides each term also by (k + 5/2), and returns
+  // (integral of h)/y^(5/2). For y < 1/4, 16 terms have an error below 1e-17.
   static constexpr double series_end = 0.25;
   PLASTIGRAN_DEVICE static double series(double y, int integrals) {
     double sum = 0, term = 4 * 1.4142135623730951 / pi;

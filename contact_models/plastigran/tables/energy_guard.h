@@ -5,8 +5,9 @@
 //
 // The search follows the published plastic work from yield to larger overlaps. An interval begins
 // where plastic work starts to decrease, and ends where it is again as large as before. A decrease
-// is likely just beyond an overlap at which the formula changes. Therefore the search starts at a
-// distance of 1e-9 of this overlap. The distance grows by a quarter per point, up to steps of 2 %.
+// is likely just beyond an overlap at which the formula changes. Therefore the first point of the
+// search beyond such an overlap is at a distance of 1e-9 of it. From point to point, the distance
+// grows by a quarter, until the steps are 2 % of the overlap.
 #pragma once
 
 #include <algorithm>

@@ -62,7 +62,8 @@ class LineCompliance {
   }
 
  private:
-  static constexpr double tangent_share = 0.13533528323661269;  // exp(-2): load/reach
+  // load/reach at which the tangent begins: exp(-2)
+  static constexpr double tangent_share = 0.13533528323661269;
   const LineTables& tables_;
   double reach_;
   double tangent_from_;

@@ -118,7 +118,8 @@ struct Panel {
   static constexpr std::size_t levels = 4;
   static_assert(terms <= 16);
 
-  // Returns the sum of `length` terms of the polynomials, by Estrin's scheme.
+  // Returns the sum of `length` terms of the polynomials, from the term `first`, divided by
+  // (x - centre)^first. Uses Estrin's scheme.
   template <std::size_t first, std::size_t length, std::size_t level = levels - 1>
   PLASTIGRAN_DEVICE Row sum(const double (&power)[levels]) const {
     constexpr std::size_t half = std::size_t{1} << level, below = level ? level - 1 : 0;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // Table of a law whose force and overlap of first loading are both functions of the elastic part of
-// the contact radius, s = a_e/a_Y (laws/vu_quoc_zhang.h). In yield units, with the largest value
-// s_max of s:
+// the contact radius, s = a_e/a_Y (laws/vu_quoc_zhang.h). s_max is the largest s so far; A_max and
+// C_max are the values of A and C at s_max. In yield units:
 //
 //   F = s^3,   overlap = A^2/C                                   first loading, s > 1
 //   overlap C_max = s^2 + A_max^2 - s_max^2,   a = s + A_max - s_max        unloading, reloading
@@ -154,7 +154,7 @@ class ParametricTable : public Curve {
   // as s^3.
   static constexpr double rounding = 2e-13;
 
-  // Returns overlap/overlap_Y d(F/P_Y)/ds.
+  // Returns overlap/overlap_Y times d(F/P_Y)/ds, for first loading.
   PLASTIGRAN_DEVICE double complement(double s) const {
     const Point at = point(s);
     return 3 * s * s * at.radius * at.radius / at.curvature;
@@ -167,9 +167,9 @@ class ParametricTable : public Curve {
         works_.covers(max.s) ? works_(max.s) : works(max, summed_complement(max.s));
     return taken - returned;
   }
-  // Returns the work of first loading, 2/5 + integral of s^3 d(overlap), and the released energy
-  // 2/5 s^5/C. The integral equals F overlap - `complementary`, where `complementary` is the
-  // integral of overlap dF.
+  // Returns the work of first loading, 2/5 + integral of F d(overlap), and the released energy
+  // 2/5 s^5/C. The integral begins at yield and equals F overlap - 1 - `complementary`, where
+  // `complementary` is the integral of overlap dF from yield. All values are in yield units.
   PLASTIGRAN_DEVICE std::array<double, 2> works(const Point& max, double complementary) const {
     const double force = max.s * max.s * max.s;
     return {0.4 + force * max.radius * max.radius / max.curvature - 1 - complementary,

@@ -36,14 +36,15 @@ class PowerTables {
   // 3e-15 + 2e-16 |exponent log2(base)|.
   PLASTIGRAN_DEVICE double power(double base, double exponent) const {
     const double way = exponent * binary_log(base);
-    constexpr double round = 6755399441055744.0 / 128;  // 1.5 2^52/128, rounds to 1/128
+    // 1.5 * 2^52/128: adding it rounds to a multiple of 1/128.
+    constexpr double round = 6755399441055744.0 / 128;
     const double near = way + round;
     std::int64_t steps;
     std::memcpy(&steps, &near, sizeof steps);
     // Evaluate the series of e^s for |s| < 0.0028.
     const double s = (way - (near - round)) * ln_2, s_2 = s * s;
     const double rest = (1 + s) + s_2 * ((0.5 + 1.0 / 6 * s) + s_2 * (1.0 / 24));
-    // The low bits of `near` contain the exponent as a multiple of 1/128.
+    // The low bits of `near` contain the rounded `way` in units of 1/128.
     const std::int64_t powers =
         static_cast<std::int64_t>(static_cast<std::uint64_t>(steps) << 13) >> 20;
     const std::uint64_t scale = static_cast<std::uint64_t>(powers + 1023) << 52;

@@ -171,10 +171,10 @@ class SteepeningUnloading : public HertzBelowYield {
     const double square = root * root;
     return steepness * square * square * root * work((steepness - 1) * root);
   }
-  // The unloading is Hertzian near the residual overlap, with a slope that is `steeper` times
-  // larger than that of a Hertz contact with the same S. The last factor is the decrease of the
-  // pull-off force because the slope grows less at larger y. Its error is at most 0.4 % for b up to
-  // 0.6, and 2 % for b = 1.2.
+  // Near the residual overlap, the unloading curve is Hertzian. Its force is `steeper` times the
+  // force of a Hertz contact with the same slope S at the largest overlap. At larger y, the slope
+  // grows less; the last factor is the resulting decrease of the pull-off force. The error of this
+  // factor is at most 0.4 % for b up to 0.6, and 2 % for b = 1.2.
   PLASTIGRAN_DEVICE static double pull_off(double b, double steepness) {
     const double steeper = 3 * steepness * steepness / (2 * steepness + 1);
     const double root = cube_root(0.5625 * b * b * steeper);  // y^(1/2) at pull-off

@@ -25,8 +25,9 @@ LEDGER_CHECKS = (
     "balance error, divided by the energy input",
     "decrease of plastic work, divided by the energy input",
 )
-#: Time between log lines, in units of sqrt(d/g), for which decks state the error of trapezoidal
-#: integration. A grain of diameter d falls by d/2 from rest in the time sqrt(d/g).
+#: Reference time between log lines, in units of sqrt(d/g). The decks state the allowed errors of
+#: trapezoidal integration for this time. A grain of diameter d falls by d/2 from rest in the time
+#: sqrt(d/g).
 FINE_ROWS = 0.25
 
 #: Energy terms of inputs/energy_ledger.in whose sum equals the energy input. The energy input
@@ -134,13 +135,13 @@ def ledger_checks(series: pd.DataFrame, limit: float = LEDGER) -> list[Check]:
 
 
 def trapezia_factor(time: pd.Series, diameter: float, gravitational_acceleration: float) -> float:
-    """Return the ratio of the integration error to the error at the row spacing `FINE_ROWS` [-].
+    """Return error of trapezoidal integration / its error at the row spacing `FINE_ROWS` [-].
 
-    The error of trapezoidal integration is proportional to the square of the row spacing. The
-    result is at least 1.
+    The error is proportional to the square of the time between log lines. The result is 1 for
+    shorter times than `FINE_ROWS`.
 
     Args:
-        time: Evenly spaced times [s].
+        time: Times of the log lines, evenly spaced [s].
         diameter: Grain diameter [m].
         gravitational_acceleration: Gravitational acceleration [m/s^2].
     """

@@ -158,8 +158,8 @@ class BulkDeck:
         """Analyse a run.
 
         Args:
-            series: Table of the log from step 0, including earlier parts of a continued run. Its
-                columns are `step`, `time` [s] and those of the deck.
+            series: Table of the log from step 0. For a continued run, it includes the log of the
+                earlier runs. Its columns are `step`, `time` [s] and those of the deck.
 
         Raises:
             ValueError: The series lacks the data for a measurement.
@@ -168,7 +168,7 @@ class BulkDeck:
 
     @classmethod
     def read(cls, settings: Mapping[str, object]) -> Self:
-        """Create the deck from the settings of a run, text or numbers. Other names are ignored.
+        """Create the deck from the settings of a run, as text or numbers; ignore unknown settings.
 
         Raises:
             ValueError: A setting is missing or out of range.
@@ -278,15 +278,20 @@ class FlowDeck(GranularDeck):
     steady_rows: ClassVar[int] = 10
 
     size_spread: float = number(
-        "relative reduction of the radius of half of the grains", "-", 0, 0.5, True, True
+        "relative change of the radius: half of the grains smaller, half larger",
+        "-",
+        0,
+        0.5,
+        True,
+        True,
     )
     volume_fraction: float = number("volume fraction of the initial lattice", "-", 0, 0.64)
-    temperature: float = number("initial variance of the velocity in each direction", "m^2/s^2", 0)
+    temperature: float = number("initial variance of each velocity component", "m^2/s^2", 0)
     duration: float = number("duration of the run", "s", 0)
     settling: float = number("time before the flow is measured", "s", 0, lower_allowed=True)
 
     def check(self) -> None:
-        """Check that `duration` exceeds `settling` by at least `steady_rows` rows.
+        """Check that at least `steady_rows` log lines follow the time `settling`.
 
         Raises:
             ValueError: The condition is violated; the message names the setting.

@@ -91,8 +91,8 @@ def read_record(folder: str | Path) -> dict:
         isinstance(record.get(name), type_) for name, type_ in required.items()
     ):
         raise EngineError(
-            f"{path} is not the record of a run, because the entries deck and settings are "
-            "missing. Check the path"
+            f"{path} is not the record of a run: the entry deck, values or settings is missing or "
+            "has a wrong type. Check the path"
         )
     for name, type_ in _TABLES.items():
         table = record.get(name, {})
@@ -162,7 +162,9 @@ def _log_text(folder: str | Path) -> str:
 
 
 def all_derived(folder: str | Path) -> dict[str, float]:
-    """Return the values that a run and its earlier parts printed as `derived NAME = VALUE`.
+    """Return the values that the deck printed as `derived NAME = VALUE`.
+
+    The result includes the values of the runs that this run continues.
 
     Raises:
         EngineError: The folder contains no run.
@@ -172,9 +174,9 @@ def all_derived(folder: str | Path) -> dict[str, float]:
 
 
 def all_excess(folder: str | Path) -> dict[str, float]:
-    """Return the largest overlap / largest valid overlap [-] by law, for laws that exceeded 1.
+    """Return largest overlap / largest valid overlap [-] of the laws for which it exceeds 1.
 
-    The result covers a run and its earlier parts.
+    The result covers a run and the runs that it continues.
 
     Raises:
         EngineError: The folder contains no run.

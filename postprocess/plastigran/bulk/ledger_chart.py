@@ -19,9 +19,8 @@ SMALL = 2e-3
 def ledger_panels(series: pd.DataFrame, total: float, limit: float) -> tuple[Panel, Panel]:
     """Return two panels versus time: stacked energy terms, and balance error.
 
-    Both panels are in per cent of the energy input.
-
-    The surface energy of contacts with adhesion is negative and is drawn below zero.
+    Both panels are in per cent of the energy input. The surface energy of contacts with adhesion is
+    negative and is drawn below zero.
 
     Args:
         series: Columns time [s], the terms of the energy balance, and the balance error `drift`

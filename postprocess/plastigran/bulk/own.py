@@ -47,7 +47,8 @@ NO_TIME = (
     "the energy balance was not drawn, because the log has no time. Add `time` to thermo_style"
 )
 SEVERAL_PARTS = (
-    "the energy balance restarts at each `clear`. All parts are checked; the last one is drawn"
+    "the energy balance restarts at each `clear`. It was checked for every simulation between "
+    "`clear` commands, and drawn for the last simulation"
 )
 NO_CONTACTS = (
     "the energy balance was not checked, because no line of the log has stored or dissipated "

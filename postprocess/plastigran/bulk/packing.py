@@ -9,14 +9,15 @@ from pathlib import Path
 import numpy as np
 from scipy.spatial import cKDTree
 
-#: Distance between surfaces below which two grains are moved apart, in diameters.
+#: Distance between the surfaces of two grains below which they are moved apart, in diameters.
 GAP = 5e-4
-#: The rounds end when the surfaces of every pair are at least GAP - TOLERANCE apart, in diameters.
+#: The packing is finished when the surfaces of all pairs are at least GAP - TOLERANCE apart, in
+#: diameters.
 TOLERANCE = 4e-4
-#: Standard deviation of the random displacement in each round, in diameters.
+#: Standard deviation of the random displacement in each round of the iteration, in diameters.
 JITTER = 1e-6
-#: Largest number of rounds. A packing with a volume fraction below 0.64 (random close packing)
-#: needs some hundred rounds.
+#: Largest number of rounds of the iteration. A packing with a volume fraction below 0.64 (random
+#: close packing) needs some hundred rounds.
 ROUNDS = 5000
 
 
@@ -26,7 +27,7 @@ def random_packing(
     confine: Callable[[np.ndarray], np.ndarray],
     seed: int,
 ) -> np.ndarray:
-    """Return random positions of equal spheres without overlap (n, 3) [m].
+    """Return random positions (n, 3) [m] of equal spheres that do not overlap.
 
     Spheres start at random positions. Then each overlapping pair moves apart by its overlap, and
     spheres outside the container move back, until no pair overlaps.

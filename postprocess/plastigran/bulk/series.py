@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Series of a bulk run: table of its log lines from step 0, including earlier parts."""
+"""Series of a bulk run: table of the log lines from step 0, also of the runs that it continues."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ from plastigran.engine.log import LoggedRun, log_path, read_runs, thermo_table
 
 
 def read_series(folder: str | Path) -> pd.DataFrame:
-    """Read the log of a run from step 0, including the earlier parts of a continued run.
+    """Read the log of a run from step 0. A continued run includes the log lines of earlier runs.
 
     Returns:
-        One row per line: `step`, `time` [s] from step 0, then the deck's columns in SI units. For a
-        user's deck, the column `run` numbers the `run` commands. The time of a user's deck
+        One row per log line: `step`, `time` [s] from step 0, then the deck's columns in SI units.
+        For a user's deck, the column `run` numbers the `run` commands. The time of a user's deck
         continues over all `run` commands. The column `time` is missing if neither the log nor
         `timestep` commands determine it. If the deck has `clear` commands, the column `simulation`
-        numbers the parts between them.
+        numbers the simulations between these commands.
 
     Raises:
         DumpError: The log is missing or has no rows.
@@ -35,7 +35,7 @@ def read_series(folder: str | Path) -> pd.DataFrame:
         series = _read_own_log(folder) if own else _read_supplied_log(folder)
         parts.append(series.rename(columns=lambda name: name.removeprefix("v_")))
     except DumpError:
-        if not parts:  # neither this run nor an earlier part has written a line
+        if not parts:  # neither this run nor an earlier run has written a line
             raise
     parts = [part for part in parts if len(part)] or parts[-1:]
     if own and len(parts) == 2:

@@ -29,14 +29,14 @@ FALL_SPEED = 1.33
 NEW_DECK_RADIUS = Declaration("radius", "m", 0.0005, 0.006, True, True)
 #: Further files that are copied to the folder of the new deck.
 PARTS = ("energy_ledger.in", "meshes/plate.stl", "template/fresh.in", "template/checkpoint.in")
-#: Names of these files without suffix. The deck and the material must not have these names.
+#: Names of the files in `PARTS` without suffix. Deck and material must not have these names.
 USED_NAMES = [Path(file).stem for file in PARTS]
 
 
 def write_deck(
     folder: Path, law: str, material: Material | str | Path, radius: float = 0.003
 ) -> Path:
-    """Write a folder with a deck, its material, its mesh and the names of the energy terms.
+    """Write a folder with a deck and the files that it reads, such as its material and its mesh.
 
     Args:
         folder: Folder to create; the deck has its name.
@@ -106,7 +106,7 @@ def _choices(material: Material) -> list[str]:
 
 
 def range_note(law: str, material: Material | str | Path, radius: float) -> str:
-    """Return a warning if a fall in the deck exceeds the range of the law; otherwise "".
+    """Return a warning if impacts in the deck exceed the valid overlap of the law; otherwise "".
 
     Args:
         law, material, radius: As for `write_deck`.

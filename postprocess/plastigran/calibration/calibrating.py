@@ -79,10 +79,10 @@ def calibrate(
             metal and the plate is rigid.
         plastic_modulus: Plastic modulus H, the slope of stress versus plastic strain [Pa]; 0 for a
             perfectly plastic metal.
-        rate_coefficient: Relative increase of yield strength per e-fold increase of strain rate,
-            with the strength given at 1/s. For steel with a measured hardness or rebound hardness,
-            the default is the value of steel, because these tests have other strain rates than a
-            simulation. Otherwise, the default is 0.
+        rate_coefficient: Relative increase of yield strength per e-fold increase of strain rate;
+            the yield strength belongs to a rate of 1/s. For steel with a measured hardness or
+            rebound hardness, the default is the value of steel, because these tests have other
+            strain rates than a simulation. Otherwise, the default is 0.
         scatter: Relative standard deviation of one measured restitution. The default is 0.02 for
             drops, and the scatter of conversions for rebound hardness.
         law: Name of the law.
@@ -181,7 +181,8 @@ def _refuse_unused(
         for name, value, default in (("radius", radius, FEM_RADIUS), ("strain", strain, "small")):
             if value != default:
                 raise ValueError(
-                    f"{name} is {value!r}, but it applies only to finite elements. Give force_ratio"
+                    f"{name} is {value!r}, but it applies only to finite elements, which need "
+                    f"force_ratio. Give force_ratio too, or omit {name}"
                 )
 
 
@@ -199,8 +200,8 @@ def _check_law(law: str) -> None:
     names = [name for name in laws_for("sphere") if laws.LAWS[name].yields]
     if law not in names:
         raise ValueError(
-            f"law is {law!r}; it must be a law for spheres with yield, but without adhesion and "
-            f"without stiffnesses as constants: {', '.join(names)}"
+            f"law is {law!r}; it must be a law for yielding spheres, without adhesion and without "
+            f"stiffnesses as constants. Use one of {', '.join(names)}"
         )
 
 

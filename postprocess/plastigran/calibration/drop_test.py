@@ -139,7 +139,10 @@ def read_drop_test(path: str | Path) -> pd.DataFrame:
 
 
 def _read_drop(label: str, cells: dict[str, str]) -> tuple[float, float]:
-    """Return speed and restitution of a line; `label` names a column of this drop in errors."""
+    """Return speed and restitution of a line.
+
+    `label` is the name of a cell in error messages; {} in it stands for the column.
+    """
     values = {}
     for name, declaration in (IMPACT | REBOUND).items():
         if name in cells:

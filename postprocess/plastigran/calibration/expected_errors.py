@@ -41,7 +41,7 @@ class ExpectedError:
 
     @classmethod
     def of_another_pair(cls, speed_ratio: tuple[float, float]) -> ExpectedError:
-        """Return unknown errors, because the bodies are not a sphere on a rigid plane."""
+        """Return an `ExpectedError` without values, for bodies other than sphere and plane."""
         return cls(
             "unknown, because finite elements exist only for spheres on a rigid plane", speed_ratio
         )

@@ -27,7 +27,7 @@ CONTACT_RADIUS = Scale("contact radius", "mm", 1e3)
 
 
 def figure(metal: CalibratedMetal, progress: bool = False) -> Figure:
-    """Draw the law and the data of its calibration: drops, or finite elements without drops.
+    """Draw the law and the data of its calibration: drops or, if there are none, finite elements.
 
     Args:
         metal: Result of `calibrate`.
@@ -107,7 +107,7 @@ def finite_elements_figure(metal: CalibratedMetal, progress: bool = False) -> Fi
 
 
 def _compress(contact: Contact, history: pd.DataFrame) -> pd.DataFrame:
-    """Return the response of the law along the path of the finite elements."""
+    """Return the response of the law up to the largest force of the finite elements, and back."""
     trial = np.linspace(0, 2 * history["approach"].max(), 2000)
     forces = contact.law.follow(contact.radius_eff, trial)["force"]
     loading = np.linspace(0, np.interp(history["force"].max(), forces, trial), 200)

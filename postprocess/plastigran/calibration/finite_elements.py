@@ -19,7 +19,7 @@ from plastigran.fem.theory.hertz import HertzSphere
 from plastigran.materials import Material
 
 USUAL_RANGE = 41.0  # largest force / yield force, as in the fit of Vu-Quoc and Zhang
-#: Further unloadings of a figure, as fractions of the largest force.
+#: Forces from which the sphere is unloaded for a figure, as fractions of the largest force.
 UNLOADING_FRACTIONS = (0.08, 0.25, 0.5, 1.0)
 
 

@@ -161,6 +161,6 @@ def steel_yield_strength(vickers: ArrayLike) -> np.ndarray:
 
 @cache
 def leeb_table() -> pd.DataFrame:
-    """Return Leeb hardness HLD and Vickers hardness HV of steel, (59,) rows."""
+    """Return a table of Leeb hardness HLD and Vickers hardness HV of steel, with 59 rows."""
     with (files("plastigran") / "data" / "leeb_d_steel.csv").open() as file:
         return pd.read_csv(file, comment="#")

@@ -32,8 +32,8 @@ class CalibratedMetal:
         source: Source of the yield strength and of its interval.
         law: Name of the law to use.
         expected_error: Expected error of this law.
-        yield_speed: Yield speed of the ball on the plate of the drop test, or of a sphere of the
-            metal on a rigid plane without drop test [m/s].
+        yield_speed: Yield speed [m/s] of the ball on the plate of the drop test. Without drop test,
+            of a sphere of the metal on a rigid plane.
         notes: Remarks for the user, one sentence each.
         drops: Drop test, if the metal was calibrated from drops.
         pressed: Finite-element compression, if it was requested.
@@ -68,7 +68,7 @@ class CalibratedMetal:
         return {row["name"]: row["default"] for row in parameters if row["name"] in FITTED}
 
     def to_dict(self) -> dict:
-        """Return all numbers in SI units; None for an unknown end of the interval."""
+        """Return all numbers in SI units; None for an infinite end of the interval."""
         error, interval = self.expected_error, self.yield_strength_interval
         fitted = self.constants if self.pressed is None else self.pressed.fitted.to_dict()
         return {
@@ -97,7 +97,7 @@ class CalibratedMetal:
         if self.law == "vu_quoc_zhang" or self.pressed is not None:
             lines += [
                 f"fix {name} all property/global {property_name(name)} peratomtypepair 1 "
-                f"{value:.6g}  # of vu_quoc_zhang"
+                f"{value:.6g}  # for vu_quoc_zhang"
                 for name, value in self.constants.items()
             ]
         return [

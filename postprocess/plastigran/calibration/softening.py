@@ -80,11 +80,11 @@ def comparison(
         laws: Names of laws; by default all laws for spheres whose constants the material has.
 
     Returns:
-        Columns law and restitution_change [-], the largest change from 1 to 1000 yield speeds. The
-        change is 0 for laws that scale exactly. Further columns describe the impact at `speed`, and
-        with the suffix _softened the impact after softening: coefficient_of_restitution [-], the
-        recommended timestep [s], the largest overlap / radius [-], and in_range, whether the impact
-        is within the range of the law.
+        Columns law and restitution_change [-], the largest change of restitution at 1 to 1000 times
+        the yield speed. The change is 0 for laws that scale exactly. Further columns describe the
+        impact at `speed`, and with the suffix _softened the impact after softening:
+        coefficient_of_restitution [-], the recommended timestep [s], overlap (largest overlap /
+        radius) [-], and in_range, whether the impact is within the range of the law.
 
     Raises:
         ValueError: A number is out of range, or the material lacks a constant of a law.

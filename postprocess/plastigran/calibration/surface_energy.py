@@ -177,7 +177,7 @@ def calibrate_adhesion(
     if not LEAST < gamma < SURFACE_ENERGY.upper:
         unit = {"pull_off_force": "N", "sticking_speed": "m/s"}[name]
         raise ValueError(
-            f"{name} is {value:g} {unit}; the surface energy of {law} would lie outside of "
+            f"{name} is {value:g} {unit}; with {law}, the surface energy would lie outside of "
             f"{LEAST:g} to {SURFACE_ENERGY.upper:g} J/m2. Check the units and radius, {radius:g} m"
         )
     result = contact(gamma)

@@ -37,8 +37,8 @@ EXIT_CODES = {
 def parser(wanted: str = "") -> argparse.ArgumentParser:
     """Return the parser, with one subcommand for each experiment and each module of `commands`.
 
-    A module provides HELP, EXAMPLE, add_arguments and run. If `wanted` is the name of a subcommand,
-    only this subcommand is added, because many modules are slow to load.
+    Each of these modules provides HELP, EXAMPLE, add_arguments and run. If `wanted` is the name of
+    a subcommand, only this subcommand is added, because many modules are slow to load.
     """
     listed = "\n".join(f"  {code:<4d}{meaning}" for code, meaning in EXIT_CODES.items())
     top = argparse.ArgumentParser(

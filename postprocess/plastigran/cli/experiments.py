@@ -132,7 +132,8 @@ def run(experiment: type[Experiment], arguments: argparse.Namespace) -> None:
         )
     if theory and arguments.dry_run:
         raise ValueError(
-            "--dry-run prints the input of LIGGGHTS, but --theory needs no LIGGGHTS. Remove one"
+            "--dry-run prints command lines of LIGGGHTS, but --theory needs no LIGGGHTS. Remove "
+            "one of the two flags"
         )
     refuse_json_of_dry_run(arguments)
     settings = _settings(experiment, arguments)

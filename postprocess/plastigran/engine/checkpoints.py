@@ -152,7 +152,7 @@ def _checksum_file(checkpoint: Path) -> Path:
 def _lacks_checksum(checkpoint: Path) -> bool:
     """Return whether the checksum is missing, or older than the checkpoint.
 
-    A deck that restarts its step count writes the same checkpoint again.
+    A deck that restarts its step count overwrites earlier checkpoints of the same steps.
     """
     file = _checksum_file(checkpoint)
     return not file.exists() or file.stat().st_mtime_ns < checkpoint.stat().st_mtime_ns
@@ -164,7 +164,7 @@ def _sha256(file: Path) -> str:
 
 
 def signal_files(working_folder: Path) -> dict[Path, int]:
-    """Return the restart files of signals in a folder, with their times of modification [ns]."""
+    """Return the restart files that LIGGGHTS wrote after signals, with modification times [ns]."""
     times = {}
     for file in working_folder.glob(f"{SIGNAL_FILE}_*"):
         with suppress(FileNotFoundError):  # another run may have moved the file
@@ -173,7 +173,7 @@ def signal_files(working_folder: Path) -> dict[Path, int]:
 
 
 def fetch_signal_file(working_folder: Path, earlier: dict[Path, int], folder: Path) -> None:
-    """Move the restart file of a signal, if there is one, to the results of its run.
+    """Move the restart file that a run wrote after a signal, if there is one, to its results.
 
     The file has the last step of the run in its name, and did not exist before the run. Other
     files in the folder may belong to other runs.

@@ -96,7 +96,7 @@ def read_contacts(
 def _column_names(
     path: str | Path, label: str, table: pd.DataFrame, kind: str | None, fields: str | None
 ) -> list[str]:
-    """Return the column names, by the label of the file if kind or fields are not given."""
+    """Return the column names. If kind or fields is None, use the label of the file instead."""
     if kind is None or fields is None:
         kind, _, fields = label.partition(" ")
         if kind not in ("PAIR", "WALL"):

@@ -14,7 +14,7 @@ from plastigran.engine.process import EngineError, inputs_folder
 
 #: Largest number of files of a deck; a larger number indicates that a file includes itself.
 MOST_FILES = 200
-#: Suffixes of other files that decks read.
+#: Suffixes of mesh files.
 MESHES = (".stl", ".vtk")
 
 _SETTING = re.compile(r'variable\s+(\w+)\s+index\s+(?:"([^"]*)"|(\S+))')
@@ -46,7 +46,7 @@ def index_variable(command: str) -> tuple[str, str] | None:
 
 
 def index_variables(deck: str | Path) -> dict[str, str]:
-    """Return the values of the index variables of a script without includes, as text."""
+    """Return the values of the index variables of a script as text; ignore its includes."""
     values: dict[str, str] = {}
     for name, value in index_lines(deck):
         values.setdefault(name, value)  # keep the first value, as LIGGGHTS does
@@ -54,7 +54,7 @@ def index_variables(deck: str | Path) -> dict[str, str]:
 
 
 def index_lines(deck: str | Path) -> list[tuple[str, str]]:
-    """Return names and values of the index variables of a script without includes, in order."""
+    """Return names and values of the index variables of a script in order; ignore its includes."""
     return list(filter(None, map(index_variable, commands(Path(deck)))))
 
 
@@ -201,8 +201,8 @@ def read_deck(deck: str | Path, values: Mapping[str, object], folder: Path) -> D
             raise EngineError(f"{included_by} includes {file}, which does not exist{hint}")
         if len(files) > MOST_FILES:
             raise EngineError(
-                f"{included_by} includes {file}, and more than {MOST_FILES} files in total. Check "
-                "whether a file includes itself"
+                f"the deck includes more than {MOST_FILES} files; {included_by} includes {file}. "
+                "Check whether a file includes itself"
             )
         files.append(file)
         for command in commands(file):

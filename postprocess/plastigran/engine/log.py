@@ -237,7 +237,7 @@ def thermo_table(path: str | Path, runs: list[LoggedRun]) -> pd.DataFrame:
         table.insert(0, "run", number)
     table = pd.concat(tables, ignore_index=True)
     for step in table["step"][~(table["step"].abs() < LARGEST_STEP) | (table["step"] % 1 != 0)]:
-        raise DumpError(f"{path} is damaged: a line has step {step:g}, which is too large")
+        raise DumpError(f"{path} is damaged: a line has step {step:g}, not an integer below 2^63")
     return table.astype({"step": np.int64})
 
 

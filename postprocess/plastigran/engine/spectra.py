@@ -51,7 +51,7 @@ def read_spectra(path: str | Path) -> pd.DataFrame:
 
 
 def spectrum(table: pd.DataFrame, quantity: str) -> pd.DataFrame:
-    """Return the total counts of all rows of a table by class.
+    """Return the number of impacts in each class, summed over all rows of a table.
 
     Args:
         table: Table of `read_spectra`, or a selection of its rows.

@@ -32,8 +32,8 @@ class CollisionOutcome:
         contact_time: Time from first touch to the end of contact [s]; NaN if the bodies stick,
             None if not predicted.
         in_range: Whether the load is within the range of the law; None if measured.
-        loop: Collision over time, (N,) columns time [s], overlap [m], force [N], speed [m/s]
-            (overlap rate); None if predicted.
+        loop: Collision over time, one row per frame. Columns are time [s], overlap [m], force [N]
+            and speed [m/s] (overlap rate). None if predicted.
     """
 
     closing_speed: float
@@ -55,7 +55,7 @@ def force_overlap_loop(trajectory: pd.DataFrame) -> pd.DataFrame:
             time.
 
     Returns:
-        (N_frames,) columns time, overlap, force, speed; see `CollisionOutcome.loop`.
+        One row per frame: time, overlap, force and speed; see `CollisionOutcome.loop`.
 
     Raises:
         CollisionError: Columns are missing, or there are more than two spheres.
@@ -110,10 +110,10 @@ def measure(trajectory: str | Path | pd.DataFrame) -> CollisionOutcome:
 
 
 def measure_loop(loop: pd.DataFrame) -> CollisionOutcome:
-    """Measure the collision in its table `CollisionOutcome.loop`; see `measure`.
+    """Measure a collision from a table as in `CollisionOutcome.loop`; see `measure`.
 
-    The separation speed is the speed in the first frame without force. Later changes of the speed
-    are not due to the contact.
+    The separation speed is the speed in the first frame after the contact. Later changes of the
+    speed are not due to the contact.
 
     Raises:
         CollisionError: The bodies never touch, or are still in contact at the end.
@@ -184,7 +184,7 @@ def _residual(overlap, force) -> float:
 
 
 def _end_of_power(overlap, force) -> tuple[float, Callable]:
-    """Fit force = c (overlap - overlap_res)^n to three frames, or n = 3/2 to fewer.
+    """Fit force = c (overlap - overlap_res)^n to three frames; with fewer frames, n is 3/2.
 
     With the right n, force^(1/n) is a linear function of the overlap.
 

@@ -23,7 +23,7 @@ TABLE = "impacts.csv"
 STUDY = "study.json"
 #: Columns that contain text. The list in the record replaces this list.
 WORDS = ("law", "material", "wall", "options", "geometry")
-#: Types of the entries of a record in study.json.
+#: Types of the entries of study.json that contain text.
 _TEXTS = {"command": str, "words": list, "versions": dict}
 
 

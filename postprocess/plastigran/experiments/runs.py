@@ -82,7 +82,8 @@ class Runs:
             The files, the results table first.
 
         Raises:
-            ValueError: Two materials of outcomes by theory have one name; nothing is written.
+            ValueError: The outcomes are by theory, and two different materials have the same name.
+                In this case, nothing is written.
         """
         from plastigran.plot import style  # imported here, because matplotlib is slow to load
 
@@ -126,8 +127,8 @@ def sweep(
 
     Args:
         cases: Cases to run.
-        folder: Folder of `impacts.csv`, of a folder `runs/` with a folder for each case, and of
-            `study.json`, the record.
+        folder: Folder of the results: the table `impacts.csv`, the record `study.json`, and `runs/`
+            with a folder for each case.
         jobs: LIGGGHTS processes at a time, 1 or more; by default all cores.
         progress: Whether to show a progress bar.
         settings: Settings of the study of the cases.
@@ -174,7 +175,7 @@ def claim(folder: Path, force: bool) -> Iterator[None]:
             )
         for name in (TABLE, STUDY):
             (folder / name).unlink(missing_ok=True)
-        for run in folder.glob("runs/[0-9]*_*"):  # folders with names by `case_folders`
+        for run in folder.glob("runs/[0-9]*_*"):  # names from `case_folders`
             shutil.rmtree(run)
         yield
 

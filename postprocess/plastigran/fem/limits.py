@@ -95,7 +95,7 @@ def check_subsonic(name: str, speed: float, sound: float) -> None:
     """
     if speed > SUBSONIC * sound:
         raise ValueError(
-            f"{name} is {speed:g} m/s; it must be below {SUBSONIC:g} of the speed of sound in "
+            f"{name} is {speed:g} m/s; it must be at most {SUBSONIC:g} times the speed of sound in "
             f"the metal, {sound:.4g} m/s. Check the units: Pa, kg/m3"
         )
 

@@ -28,9 +28,9 @@ class Settings:
     fineness: float = number("factor on the number of rings of elements", "-", 0.1, 10, default=1.0)
     growth: float = number("ratio of consecutive force increments", "-", 1, 2, default=1.05)
     unloading_steps: int = whole("increments of an unloading", 4, default=24)
-    steps_of_contact: int = whole("time steps during Hertz' duration", 20, default=250)
+    steps_of_contact: int = whole("time steps during a Hertz impact", 20, default=250)
     free_steps: int = whole("time steps after the end of contact", 1, default=5)
-    frames: int = whole("number of field snapshots during Hertz' duration", default=0)
+    frames: int = whole("number of field snapshots during a Hertz impact", default=0)
     penalty: float = number("stiffness of the plane divided by E*/h", "-", 1, 1e5, default=PENALTY)
     strain: str = word("kinematics, small or finite strain", KINEMATICS, default="small")
 

@@ -88,7 +88,7 @@ def sticking_speed(
     def sticks(speed: float) -> bool:
         return law.central_impact(radius_eff, mass_eff, speed).coefficient_of_restitution == 0
 
-    upper = None  # lowest speed at which the bodies rebound, of the speeds above the result
+    upper = None  # lowest speed tried so far at which the bodies rebound
     for lower in np.geomspace(fastest, slowest, 64):
         try:
             if sticks(lower):

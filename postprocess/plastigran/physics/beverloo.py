@@ -71,9 +71,10 @@ class Discharge:
         bulk_density: Density of the bed before the orifice opened [kg/m^3].
         gravitational_acceleration: Gravitational acceleration [m/s^2].
         rate: Discharge rate [kg/s].
-        rate_error: Standard deviation of the rate, from its blocks [kg/s].
+        rate_error: Standard deviation of the rate, from the scatter of its blocks [kg/s].
         change: Change of the rate from the first to the second half of the steady part [kg/s].
-        change_error: Standard deviation of the change, from the blocks of each half [kg/s].
+        change_error: Standard deviation of the change, from the scatter of the blocks in each half
+            [kg/s].
         start: Start of the steady part [s].
         stop: End of the steady part [s].
         coefficient: C of Beverloo's law for comparison [-].

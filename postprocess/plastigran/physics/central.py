@@ -76,7 +76,9 @@ def viscoelastic_number(
 
 
 def viscoelastic_restitution(number: ArrayLike) -> np.ndarray:
-    """Return the coefficient of restitution of viscoelastic spheres for v* [-], any shape.
+    """Return the coefficient of restitution of viscoelastic spheres [-].
+
+    `number` is v* [-] of `viscoelastic_number`; it may have any shape.
 
     The formula is the Padé form of Müller & Pöschel 2011, Phys. Rev. E 84:021302. The Padé form
     exceeds the solution of the equation of motion by 6e-8 at v* = 0.1, by 0.14 % at v* = 0.6 and by
@@ -117,8 +119,9 @@ def hertz_history(
 
 
 def damping_ratio(coefficient_of_restitution: ArrayLike) -> np.ndarray:
-    """Return the damping ratio of the dashpot [-], -ln e / (pi^2 + ln^2 e)^(1/2), any shape.
+    """Return the damping ratio of the dashpot [-], -ln e / (pi^2 + ln^2 e)^(1/2).
 
+    The coefficient of restitution e may have any shape.
     With x = overlap^(5/4) and d tau = overlap^(1/4) dt, the damped Hertzian contact is a linear
     oscillator of this damping ratio (Antypov & Elliott 2011, Europhys. Lett. 94:50004).
     """
@@ -198,8 +201,8 @@ def line_yield(
     logarithm = 2 * log(body_thickness / radius_eff) - 2 * log(ratio) - lateral
     if logarithm < 2:
         raise ValueError(
-            f"body_thickness is {body_thickness:g} m; the contact width at yield must be below "
-            f"0.6 of it, but is {2 * ratio * radius_eff:.2g} m with radius {radius_eff:g} m"
+            f"body_thickness is {body_thickness:g} m; the contact width at yield must be below 0.6 "
+            f"times this value, but is {2 * ratio * radius_eff:.2g} m with radius {radius_eff:g} m"
         )
     force = 6 * pair.yield_strength * ratio * radius_eff * cylinder_length
     overlap = radius_eff * ratio**2 * logarithm
@@ -207,9 +210,10 @@ def line_yield(
 
 
 def thornton_restitution(speed_ratio: ArrayLike) -> np.ndarray:
-    """Return the coefficient of restitution of Thornton's law for v/v_y [-], any shape.
+    """Return the coefficient of restitution of Thornton's law [-]; 1 up to the yield speed.
 
-    Thornton 1997, J. Appl. Mech. 64:383, eq. 25; 1 at and below yield.
+    `speed_ratio` is v/v_y [-]; it may have any shape. Source: Thornton 1997, J. Appl. Mech. 64:383,
+    eq. 25.
     """
     q = 1 / np.maximum(np.asarray(speed_ratio, dtype=float), 1)
     return (

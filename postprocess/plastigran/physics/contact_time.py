@@ -10,7 +10,7 @@ _NODES, _WEIGHTS = roots_legendre(200)
 
 
 def contact_time(law, radius_eff: float, mass_eff: float, speed: float) -> tuple[float, float]:
-    """Return the time to the largest overlap and to the end of the contact.
+    """Return the time to the largest overlap and the time to the end of the contact.
 
     The time is the integral of d(overlap)/speed, where 1/2 m* speed^2 is the remaining kinetic
     energy. The speed is zero at the largest overlap. The variable of the Gauss-Legendre quadrature

@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike
 from scipy.integrate import solve_ivp
 from scipy.interpolate import PchipInterpolator
 
-#: Restitution as a function of normal impact speed [m/s], (N,) to (N,).
+#: Function that returns the restitution (N,) [-] for normal impact speeds (N,) [m/s].
 Restitution = Callable[[np.ndarray], np.ndarray]
 
 #: Normal impact speeds for averages, divided by the thermal relative speed 2 T^(1/2). Higher speeds
@@ -32,9 +32,10 @@ FREEZING = 0.494
 
 
 def contact_value(volume_fraction: ArrayLike) -> np.ndarray:
-    """Return the pair correlation of hard spheres at contact [-], any shape.
+    """Return the value at contact of the pair correlation function of hard spheres [-].
 
-    (1 - phi/2) / (1 - phi)^3; Carnahan & Starling 1969, J. Chem. Phys. 51:635.
+    The value is (1 - phi/2) / (1 - phi)^3. The volume fraction phi may be an array; the result
+    has the same shape. Source: Carnahan & Starling 1969, J. Chem. Phys. 51:635.
     """
     phi = np.asarray(volume_fraction, dtype=float)
     return (1 - 0.5 * phi) / (1 - phi) ** 3
@@ -83,8 +84,9 @@ class Gas:
     def loss(self, temperature: float, power: int = 1) -> float:
         """Return the mean over impacts of ((1 - e^2) g^2 / 4T)^power [-]; g is the normal speed.
 
-        In a Maxwellian gas, g^2/4T of impacts has the probability density exp(-g^2/4T), because the
-        collision flux is weighted with the relative normal speed of variance 2T.
+        In a Maxwellian gas, the quantity x = g^2/4T of the impacts has the probability density
+        exp(-x). The reason is that the relative normal velocity has the variance 2T, and that
+        faster pairs collide more often.
         """
         lost = 1 - self.restitution(2 * temperature**0.5 * _SPEEDS) ** 2
         density = 2 * _SPEEDS * np.exp(-(_SPEEDS**2))
@@ -118,8 +120,8 @@ def cool(gas: Gas, temperature: float, times: ArrayLike) -> pd.DataFrame:
         times: Ascending times (N,) [s].
 
     Returns:
-        (N, 4): `time` [s], `temperature` [m^2/s^2], `temperature_error` [-] (relative standard
-        deviation) and `collisions` (accumulated per grain) [-].
+        N rows with the columns `time` [s], `temperature` [m^2/s^2], `temperature_error` [-]
+        (relative standard deviation) and `collisions` [-] (accumulated per grain).
 
     Raises:
         ValueError: The temperature is not positive.
@@ -162,7 +164,7 @@ def cool(gas: Gas, temperature: float, times: ArrayLike) -> pd.DataFrame:
 
 
 def haff(temperature: float, cooling_rate: float, times: ArrayLike) -> np.ndarray:
-    """Return the temperature [m^2/s^2] of a gas with constant restitution, any shape.
+    """Return the temperature [m^2/s^2] of a gas with constant restitution at given times.
 
     The temperature is T0 / (1 + t/tau)^2 with 2/tau = (1 - e^2) collision_rate/3 at time 0; Haff
     1983, J. Fluid Mech. 134:401.
@@ -170,7 +172,7 @@ def haff(temperature: float, cooling_rate: float, times: ArrayLike) -> np.ndarra
     Args:
         temperature: T0 [m^2/s^2].
         cooling_rate: -d ln T/dt at time 0 [1/s].
-        times: Times [s], any shape.
+        times: Times [s], a number or an array. The result has the same shape.
     """
     return temperature / (1 + 0.5 * cooling_rate * np.asarray(times, dtype=float)) ** 2
 

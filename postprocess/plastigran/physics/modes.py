@@ -179,7 +179,7 @@ def spheroidal(degree: int, poissons_ratio: float, x: float) -> float:
 
 
 def spheroidal_roots(degree: int, poissons_ratio: float, count: int) -> np.ndarray:
-    """Return the wave numbers k a of the first spheroidal modes of a degree from 1 (count,) [-].
+    """Return the wave numbers k a (count,) [-] of the first spheroidal modes of one degree (> 0).
 
     The two eigenvalues of the dynamic stiffness of the surface (traction/displacement) decrease
     with x from pole to pole. A mode is a zero of one eigenvalue. The number of modes below x is the

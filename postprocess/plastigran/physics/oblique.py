@@ -91,7 +91,7 @@ class ObliqueImpact:
         """Return whether the contact slides throughout the impact.
 
         Friction cannot stop the surfaces of rigid bodies if |v_s| >= 7/2 mu (1 + e) v_n. In an
-        elastic contact, the surfaces must also move faster than the largest stretch of the
+        elastic contact, |v_s| must also be at least the rate at which the largest stretch of the
         tangential spring grows.
         """
         least = max(3.5 * (1 + self.restitution()), self.stretch_ratio)

@@ -71,7 +71,7 @@ def oblique_impacts(
     the relative tangential motion of the surfaces is therefore 2/7 m*.
 
     Args:
-        law: Normal law of a sphere without adhesion.
+        law: Normal law for spheres; it must not have adhesion.
         tangential: Tangential law.
         radius_eff: Effective radius R* [m].
         mass_eff: Effective mass m* [kg].

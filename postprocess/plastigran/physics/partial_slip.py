@@ -60,7 +60,7 @@ class Rings:
             self._slip(wanted)
 
     def _cut(self, overlap: float) -> float:
-        """Remove the rings outside the contact of an overlap, and return their shift."""
+        """Remove the rings outside the contact that has this overlap, and return their shift."""
         held = 0.0
         while self.rings and self.rings[-1][1] > overlap:
             begin, end, share = self.rings.pop()

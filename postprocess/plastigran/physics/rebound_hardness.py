@@ -29,8 +29,8 @@ class ReboundTester:
     Attributes:
         ball: Material of the ball, which does not yield.
         sensor_height: Height at which the speeds are measured [m]; 0 to neglect gravity. In real
-            testers, the height is 1 mm, which lowers the HL of device D by 0.1 % at 800 and by 2.5
-            % at 300.
+            testers, the height is 1 mm, which lowers the reading of device D by 0.1 % at HL 800 and
+            by 2.5 % at HL 300.
 
     Raises:
         ValueError: A number is out of range.
@@ -86,7 +86,7 @@ class ReboundTester:
 
 
 def dented_flat(law: str) -> dict[str, str]:
-    """Return the option by which the flat yields, not the sphere; {} if a law lacks the option."""
+    """Return the option that makes the flat yield instead of the sphere; {} if a law lacks it."""
     words = {option["name"]: option["choices"] for option in laws.LAWS[law].options()}
     return {name: "flat" for name in ("yielding",) if "flat" in words.get(name, ())}
 

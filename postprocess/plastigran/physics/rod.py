@@ -88,9 +88,9 @@ class Rod:
     def angular_velocity(self, impulse: float) -> float:
         """Return the angular velocity after a normal impulse [N s], in rad/s.
 
-        If the tip slides throughout, the result is -(x_c - mu y_c)/I times the impulse. The impulse
-        is m_eff v (1 + e), or the rod's mass times the change of the velocity of its center along
-        y.
+        The result is -(x_c - mu y_c)/I times the impulse. It holds if the tip slides throughout the
+        impact. The impulse is m_eff v (1 + e), or the rod's mass times the change of the velocity
+        of its center along y.
         """
         x_c, y_c = self.arm
         return -(x_c - self.coefficient_of_friction * y_c) / self.inertia * impulse
@@ -108,10 +108,10 @@ class RodOutcome:
         overlap_res: Overlap at zero force [m], the permanent deformation.
         loading_time: Time from first touch to largest overlap [s].
         contact_time: Time from first touch to zero force [s].
-        history: (N,) columns time [s], overlap [m], force (normal) [N], friction_force (along x)
-            [N], displacement_x, displacement_y (of the center since first touch) [m], velocity_x,
-            velocity_y (of the center) [m/s], angular_velocity [rad/s], slip_velocity (of the tip
-            along x) [m/s].
+        history: One row per time. Columns are time [s], overlap [m], force (normal) [N],
+            friction_force (along x) [N], displacement_x, displacement_y (of the center since first
+            touch) [m], velocity_x, velocity_y (of the center) [m/s], angular_velocity [rad/s] and
+            slip_velocity (of the tip along x) [m/s].
     """
 
     coefficient_of_restitution: float

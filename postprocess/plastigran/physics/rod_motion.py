@@ -78,7 +78,10 @@ class RodMotion:
         return self.overlap(motion) - self.overlap_res
 
     def contact(self, motion, state=None):
-        """Return the response of the law; `state` is the history that it changes, or a copy."""
+        """Return the response of the law.
+
+        The law updates the history `state`; by default, this is a copy of `self.state`.
+        """
         state = self.state.copy() if state is None else state
         return self.law.respond(self.rod.tip_radius, self.overlap(motion), state)
 
@@ -93,7 +96,8 @@ class RodMotion:
             excess = (pull - friction) / stiffness if stiffness > 0 else 0.0
             return contact.force, friction, slip + self.yielding * excess
         arm_x, arm_y = self.arm(motion)
-        # `holding` keeps the slip constant: dv_T/dt = F_f (1/m + r_y^2/I) - F_n r_x r_y/I = 0.
+        # `holding` is the friction that keeps the slip velocity v_T constant:
+        # dv_T/dt = F_f (1/m + r_y^2/I) - F_n r_x r_y/I = 0.
         holding = arm_x * arm_y * contact.force / (self.rod.inertia / self.rod.mass + arm_y**2)
         friction = holding - slip / self.sticking * limit
         return contact.force, min(max(friction, -limit), limit), 0.0

@@ -49,7 +49,7 @@ def _norms(vectors: np.ndarray) -> np.ndarray:
 
 
 def grain_values(frame: Frame, quantity: str) -> np.ndarray:
-    """Return a quantity of `GRAIN_QUANTITIES` for each grain of a frame (n,).
+    """Return the values (n,) of a quantity of `GRAIN_QUANTITIES` for the n grains of a frame.
 
     Raises:
         DamagedFrame: A file is incomplete.
@@ -65,7 +65,7 @@ def grain_values(frame: Frame, quantity: str) -> np.ndarray:
 
 
 def contact_forces(frame: Frame) -> np.ndarray:
-    """Return the force of each contact (n,), N.
+    """Return the contact forces (n,), N, of a frame.
 
     Raises:
         DamagedFrame: A file is incomplete.
@@ -144,7 +144,7 @@ def read_frames(frames: Iterable[Frame]) -> tuple[list[GrainFrame], list[Path]]:
 
 
 def _largest_forces(frame: Frame, positions: np.ndarray) -> np.ndarray:
-    """Return the largest contact force on each grain (n,) [N]."""
+    """Return the largest contact force (n,) [N] on each of the n grains."""
     from scipy.spatial import cKDTree
 
     largest, forces = np.zeros(len(positions)), contact_forces(frame)

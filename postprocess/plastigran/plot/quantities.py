@@ -47,23 +47,23 @@ QUANTITIES = {
     "adhesion": ("loss by adhesion", "J"),
     "springs": ("elastic energy in tangential springs", "J"),
     "temperature": ("granular temperature", "m²/s²"),
-    "temperature_error": ("error of the predicted temperature", "m²/s²"),
+    "temperature_error": ("relative standard deviation of the temperature", ""),
     "collisions": ("collisions of a grain", ""),
     "flow": ("speed of the mean flow", "m/s"),
-    "held": ("grains in the hopper", ""),
+    "held": ("grains in the hopper or silo", ""),
     "counted": ("grains that have left", ""),
     "packing": ("volume fraction", ""),
     "mass": ("mass of the grains", "kg"),
     "x": ("center of mass, x", "m"),
     "z": ("center of mass, z", "m"),
-    "momentum": ("momentum", "kg m/s"),
-    "height": ("height of the punch", "m"),
+    "momentum": ("angular momentum", "kg m²/s"),
+    "height": ("height of the punch or platen", "m"),
     "force": ("force", "N"),
     "weight_power": ("power of the weight", "W"),
     "revolutions": ("revolutions", ""),
 }
 #: Units that are used without SI prefix.
-_WITHOUT_PREFIX = ("", "J/m²", "°", "m²/s²", "kg m/s", "rad/s", "kg", "m/s")
+_WITHOUT_PREFIX = ("", "J/m²", "°", "m²/s²", "kg m²/s", "rad/s", "kg", "m/s")
 _PREFIXES = {-12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G"}
 
 
@@ -107,9 +107,10 @@ def scale(column: str, values: object) -> Scale:
 
 
 def prefix(values: object) -> tuple[str, float]:
-    """Return the SI prefix that makes the largest absolute value 1 to 1000, and the factor to it.
+    """Return the SI prefix that makes the largest absolute value 1 to 1000, and its factor.
 
-    Prefixes range from p to G. If all values are zero, there is no prefix and the factor is 1.
+    A value multiplied by the factor is in the unit with the prefix. Prefixes range from p to G. If
+    all values are zero, there is no prefix and the factor is 1.
 
     Args:
         values: Values in a unit without prefix; infinite values and NaN are ignored.

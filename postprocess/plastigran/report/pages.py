@@ -40,7 +40,7 @@ def read_pages(evidence: Evidence, folder: Path) -> dict[Path, str]:
             "table"
         )
     if len(places) != len(set(places)):
-        raise ValueError(f"{paths} has the markers of one table twice")
+        raise ValueError(f"{paths}: a table has two places. Remove the second pair of markers")
     return pages
 
 

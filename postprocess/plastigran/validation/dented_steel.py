@@ -136,9 +136,9 @@ def comparison(law: str) -> pd.DataFrame:
 def small_radius_restitution(ratios: np.ndarray) -> np.ndarray:
     """Return the restitution of perfectly plastic spheres at small a/R for given v/v_Y.
 
-    The values are interpolated for the metal of the table of spheres with the lowest yield strength
-    / E*, whose a/R is below 0.025. For faster impacts, a power law through its fastest impacts is
-    extrapolated.
+    The values are interpolated in the table of spheres, for the metal with the lowest sigma_Y/E*.
+    Its a/R is below 0.025. Beyond the highest speed of this metal, a power law is extrapolated from
+    its fastest impacts.
     """
     rows = spheres()
     rows = rows[contact_kinds(rows) == KINDS[0]].sort_values("speed_ratio")

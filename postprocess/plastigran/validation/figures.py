@@ -63,7 +63,7 @@ def rebound_figure(rebounds: pd.DataFrame) -> Figure:
         right.plot(part["HV"], 100 * part["error"], label=title(name), **line)
     left.plot(part["HV"], part["HLD"] / 1000, "ko", ms=3, label="Leeb D")
     share = np.where(part["HLD"] >= 450, 5.0, 9.0)
-    label = "uncertainty of the table"
+    label = "uncertainty of the conversion HLD to HV"
     right.fill_between(part["HV"], -share, share, color="0.9", label=label)
     right.axhline(0, color="0.3", lw=0.8)
     for axes in (left, right):

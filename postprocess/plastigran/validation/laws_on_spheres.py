@@ -29,7 +29,7 @@ def yielding_laws() -> list[str]:
 
 
 def compare() -> pd.DataFrame:
-    """Compare every law with yield with the impacts beyond yield of the table of spheres.
+    """Compare every yielding law with the table of spheres, for impacts beyond yield.
 
     Returns:
         A row for each law and each row of the table: law, metal, set, kind, speed_ratio and

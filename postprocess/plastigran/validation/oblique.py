@@ -47,9 +47,9 @@ def measured() -> pd.DataFrame:
 
 
 def case(angle: float) -> BenchmarkImpact:
-    """Return the impact of benchmark 4 at an angle from the normal [degrees].
+    """Return the impact of benchmark 4 of Chung & Ooi (2011) at an angle from the normal [degrees].
 
-    The deck of this benchmark has alumina on a rigid plane.
+    In the deck of this benchmark, a sphere of alumina hits a rigid plane.
     """
     return BenchmarkImpact("4_incident_angle", "aluminium_oxide", "incident_angle", angle)
 

@@ -12,7 +12,7 @@ import pandas as pd
 from plastigran.calibration.expected_errors import KINDS
 from plastigran.validation.laws_on_spheres import FITTED_LAW
 
-#: Upper bounds of the speed regimes in the summary, in yield speeds.
+#: Upper bounds of the speed regimes in the summary, impact speed / yield speed.
 UPPER_ENDS = (10, 100, 300, 1000)
 WORDS = {"coefficient_of_restitution": "restitution", "force_max": "force"}
 LINE = re.compile(r"^\| \*\*How far off\*\* \| .* \|$", re.MULTILINE)

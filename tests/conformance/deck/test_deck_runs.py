@@ -17,7 +17,7 @@ from plastigran.engine.deck import read_deck
 from plastigran.engine.log import read_thermo
 from plastigran.engine.process import run_deck
 
-#: Columns of sums that vanish except for round-off.
+#: Columns whose values are zero except for the round-off of sums.
 ROUNDING = ["drift", "inserted", "flow"]
 
 

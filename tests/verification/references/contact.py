@@ -1,5 +1,14 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A contact law as printed in its source, in SI units, without use of the compiled laws."""
+"""Base class of the references: contact laws as printed in their sources, without compiled laws.
+
+All values are in SI units. The docstrings of the references use the symbols
+
+    d, F, a     overlap, force, contact radius (half-width for cylinders)
+    index m     at the largest overlap;  d_r: residual overlap
+    y           (d - d_r)/(d_m - d_r), the remaining fraction of the unloading curve
+    Y, p_y      yield strength, yield pressure
+    R*, E*      effective radius and modulus;  nu: Poisson's ratio
+"""
 
 from __future__ import annotations
 

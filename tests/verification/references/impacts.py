@@ -63,10 +63,12 @@ def outcome(law: str, index: int) -> Outcome:
     yields = type(impact).published_rebound is not CentralImpact.published_rebound
     if not end > 0 or (yields and end == float("inf")):
         raise ValueError(
-            f"{law}: the first of pieces, the elastic one, ends at {end} m; it must end at the "
-            "overlap at yield, beyond which published_rebound is asked"
+            f"{law}: the first formula in `pieces`, the elastic one, ends at {end} m. "
+            "It must end at the overlap at yield, beyond which published_rebound applies"
         )
     one, other = impact.two_ways()
     if not one.agrees_with(other):
-        raise ValueError(f"{law} at {row['speed']} m/s: {one} one way, {other} the other")
+        raise ValueError(
+            f"{law} at {row['speed']} m/s: two computations disagree: {one} and {other}"
+        )
     return one

@@ -4,8 +4,8 @@
     d_r = a_r^2/(2 R_b),  a_r^2 = a_m^2 - a_el^2,  a_el^2 = 4 q_m/(1/R + 1/R_b)
     x = y (1 - ln(y)/C'),  C' = ln(4 D^2/a_m^2) - kappa
 
-with y = F/F_m and x = (d - d_r)/(d_m - d_r). The index m means the end of loading. D, R_b, q and
-kappa are those of lim_stronge.py.
+with x = (d - d_r)/(d_m - d_r) and, unlike in contact.py, y = F/F_m. D, R_b, q and kappa are those
+of lim_stronge.py.
 """
 
 from __future__ import annotations

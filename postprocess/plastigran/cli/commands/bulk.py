@@ -48,7 +48,8 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--host",
         choices=list(HOSTS),
-        help="program that runs the deck, default liggghts; DIR's program with --restart DIR",
+        help="program that runs the deck, default liggghts; with --restart DIR, the program of the "
+        "run in DIR",
     )
     command.add_argument(
         "-v",
@@ -93,7 +94,7 @@ def run(arguments: argparse.Namespace) -> None:
         plan = plan_bulk(*case, host)
         print(plan.command_line())
         if plan.writes_inputs:
-            print(f"the commands need initial positions, which a run writes to {plan.folder} first")
+            print(f"the deck reads initial positions, which `bulk` writes to {plan.folder} first")
         print(f"results would be written to {plan.folder}; nothing was started")
         return
     try:

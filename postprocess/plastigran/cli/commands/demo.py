@@ -23,7 +23,7 @@ EXAMPLE = "plastigran demo --output results/demo"
 #: when they land. Of the accurate laws, only `jackson_green` is valid for such overlaps. The impact
 #: speeds reach 27 yield speeds; the error of the restitution is then 4 % (docs/validation.md).
 HOPPER = {"law": "jackson_green", "layers": "10", "frames": "20"}
-#: Settings of the cooling gas in LAMMPS.
+#: Settings of the cooling gas in LAMMPS: a tenth of the duration of the run in LIGGGHTS.
 TENTH = {"side": "8", "duration": "40", "rows": "40", "checkpoints": "4"}
 
 

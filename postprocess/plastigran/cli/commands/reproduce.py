@@ -50,7 +50,10 @@ def run(arguments: argparse.Namespace) -> None:
     if (fewer := options.keys() - {"ranks"}) and arguments.docs:
         raise ValueError(f"--docs needs complete results. Remove --{min(fewer)}")
     if (given := options.keys() & {"grains", "beds"}) and arguments.coarse:
-        raise ValueError(f"--coarse runs one small bed. Remove --{min(given)}")
+        raise ValueError(
+            f"--{min(given)} has no effect with --coarse, which always runs one small bed. Remove "
+            f"--{min(given)}"
+        )
     folder = arguments.output or Path("results") / arguments.paper
     paper = find_paper(arguments.paper, folder, **options)
     run_evidence(paper, f"{paper.citation}: {paper.title}", arguments)

@@ -121,7 +121,7 @@ def run(arguments: argparse.Namespace) -> None:
         change = f"{row['restitution_change']:.3f}" if row["restitution_change"] else "exact"
         remark = "" if row["in_range_softened"] else "  outside the law's range"
         if remark and not row["in_range"]:
-            remark += ", as before"
+            remark += ", also before softening"
         print(
             f"{row['law']:20s} {row['coefficient_of_restitution']:13.4f} "
             f"{row['coefficient_of_restitution_softened']:13.4f} {change:>15s} "

@@ -45,8 +45,8 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--surface-energy",
         type=float,
-        help="work of adhesion of the two bodies, J/m^2; switches on 'adhesion jkr' in laws whose "
-        "elastic contact is Hertz'. Default, for laws that need it: the value of the material",
+        help="work of adhesion of the two bodies, J/m^2; switches on 'adhesion jkr' in laws with "
+        "Hertz' elastic contact. Default for laws that require it: the value of the material",
     )
     add_json(command)
 

@@ -55,8 +55,8 @@ if TYPE_CHECKING:
 #: Geometries: name of the deck, and number of spheres (1: sphere and wall).
 GEOMETRIES = {"sphere_wall": 1, "sphere_mesh": 1, "two_spheres": 2}
 
-#: Default speeds, up to 120 yield speeds of the sphere of Zhang & Vu-Quoc (2002) (aluminium_zv02,
-#: 0.1 m) [m/s].
+#: Impact speeds [m/s] of `plastigran demo` and of a figure in the docs, for the sphere of Zhang &
+#: Vu-Quoc (2002): aluminium_zv02, radius 0.1 m. The highest is 120 times its yield speed.
 PAPER_SPEEDS = (0.0005, 0.001, 0.002, 0.005, 0.01, 0.02, 0.06, 0.1, 0.2)
 
 
@@ -279,7 +279,10 @@ class CentralImpact(Experiment):
         )
 
     def theoretical_loop(self, points: int = 200) -> pd.DataFrame:
-        """Return loading and unloading by the law: (2 points,) rows of overlap [m], force [N]."""
+        """Return the force-overlap curve of the law: `points` rows each for loading and unloading.
+
+        The columns are overlap [m] and force [N].
+        """
         impact = self.predict()
         loading = np.linspace(0, impact.overlap_max, points)
         law = self.contact_law()
@@ -317,11 +320,12 @@ class CentralImpact(Experiment):
     def plan(cls, **values: Any) -> list[CentralImpact]:
         """Return every combination of values.
 
-        Only laws that have the options or a surface energy receive these values.
+        Options apply only to laws that have them; a surface energy applies only to laws with
+        adhesion or the option `adhesion jkr`.
 
         Raises:
-            ValueError: A case cannot be run, or no law has an option or a surface energy; the
-                message gives the reason.
+            ValueError: A case cannot be run, or no law has the given options or a surface energy;
+                the message gives the reason.
 
         Warns:
             UserWarning: As for `warn_of_idle_surface_energy`.

@@ -74,9 +74,9 @@ def measured_panels(
 
 
 def curve_groups(table: pd.DataFrame, abscissa: str) -> Groups:
-    """Return the rows of each curve, by law and by a phrase for the values of the curve.
+    """Return the rows of each curve, by law and by a phrase that distinguishes curves of one law.
 
-    The phrase contains the values in the columns `APART` that differ between curves.
+    The phrase lists the values of the columns in `APART` that differ between curves.
     """
     if abscissa == "geometry" and "wall" in table:  # the geometry implies the wall
         table = table.assign(wall=table["wall"].replace(NO_WALL, RIGID_WALL))
@@ -144,7 +144,8 @@ def _measured(groups: Groups, theory: Groups, quantity: str, abscissa: str) -> P
             "law": law,
             "dash": dashes[others],
         }
-        # Draw a line only if two or more points have a numeric abscissa; otherwise draw dashes.
+        # Draw a line only through two or more points with numeric abscissae; otherwise draw a dash
+        # at each point.
         look = "line" if numeric and len(line) > 1 else "dashes"
         y_line = line[predicted if predicted in line else quantity]
         x_line, x = _abscissae(line[abscissa]), _abscissae(rows[abscissa])

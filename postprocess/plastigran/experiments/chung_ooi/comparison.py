@@ -30,8 +30,8 @@ class BenchmarkOutcome:
 def predict(impact: ObliqueImpact) -> BenchmarkOutcome:
     """Predict an impact by theory: spring and slider (`ObliqueImpact.spring_slider`).
 
-    The dashpot never attracts. Without damping, largest force, largest overlap and duration follow
-    from Hertz's theory. With damping, these values are NaN.
+    The normal force, including the dashpot, is never attractive. Without damping, largest force,
+    largest overlap and duration follow from Hertz's theory. With damping, these values are NaN.
     """
     force = overlap = duration = nan
     if impact.coefficient_of_restitution == 1:

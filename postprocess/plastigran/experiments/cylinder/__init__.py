@@ -50,8 +50,8 @@ class CylinderImpact(CentralImpact):
     shape = "cylinder"
     has_theory = False  # the study always compares LIGGGHTS with theory
     geometries: ClassVar = {"cylinder_wall": 1}
-    # At larger overlaps, the center of the disc crosses the wall. The paper uses overlaps up to
-    # this limit; the validity range of the laws is smaller.
+    # At overlaps above the radius, the center of the disc would cross the wall. The paper uses
+    # overlaps up to this limit; the validity range of the laws is smaller.
     overlap_ratio_max = 1.0
     flags: ClassVar = {
         "points": Flag(
@@ -100,12 +100,15 @@ class CylinderImpact(CentralImpact):
 
     @classmethod
     def cases(cls, points: int = 30) -> list[CylinderImpact]:
-        """Return the impact that Katta & Polycarpou computed by finite elements, for both laws."""
+        """Return the impact that Katta & Polycarpou computed by finite elements, for each law."""
         return cls.plan(law=laws_for("cylinder"), material=study.MATERIAL, **study.FINITE_ELEMENTS)
 
     @classmethod
     def tables(cls, runs: Runs) -> dict[str, pd.DataFrame]:
-        """Return the maps of the study, and the impact of the finite elements by all methods."""
+        """Return the maps of the study, and a comparison of all methods for one impact.
+
+        This impact is the finite-element impact of the paper.
+        """
         table = study.comparison()
         for case, outcome in runs.outcomes.items():
             for column in ("overlap_res", "contact_time", "coefficient_of_restitution"):
@@ -129,6 +132,6 @@ class CylinderImpact(CentralImpact):
     def summary(cls, runs: Runs) -> str:
         table = runs.tables["comparison"].T
         return (
-            "Cylinder of 10 um, 0.1 mm long, at 1 m/s: laws, LIGGGHTS and finite elements\n"
+            "Cylinder of radius 10 um, length 0.1 mm, 1 m/s: laws, LIGGGHTS and finite elements\n"
             + table.to_string(float_format="{:.4g}".format, na_rep="")
         )

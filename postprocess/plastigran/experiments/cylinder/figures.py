@@ -22,7 +22,7 @@ from plastigran.plot.style import law_colour, styled, subplots, title
 
 @dataclass(frozen=True)
 class Panel:
-    """Map of one column of the table: factor to the unit, title, and levels of the contours."""
+    """Map of one column of the table: factor from SI to the unit in the title, contour levels."""
 
     column: str
     factor: float

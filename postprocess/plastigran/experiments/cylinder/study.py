@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Maps of Katta & Polycarpou (2010, J. Tribol. 132:041402) by radius and speed, by the laws alone.
+"""Maps over radius and speed as in Katta & Polycarpou (2010, J. Tribol. 132:041402).
 
-The laws are as published, without the energy guard. Restitution is limited to 1, as in the paper.
-The maps include overlaps larger than the radius.
+The contact laws compute the maps without LIGGGHTS. The laws are as published, without the energy
+guard. Restitution is limited to 1, as in the paper. The maps include overlaps larger than the
+radius.
 """
 
 from __future__ import annotations
@@ -75,7 +76,7 @@ def impact(name: str, radius: float, speed: float, length_ratio: float) -> dict[
 def study(
     radii: ArrayLike, speeds: ArrayLike, length_ratio: float, progress: bool = False
 ) -> pd.DataFrame:
-    """Return impacts by both laws, as published, for all radii and speeds.
+    """Return impacts by both laws for cylinders, as published, for all radii and speeds.
 
     Args:
         radii: Radii of the cylinder (N,) [m].
@@ -84,7 +85,7 @@ def study(
         progress: Whether to show a progress bar.
 
     Returns:
-        (2 N M,) rows; columns law, length_ratio [-], radius [m], speed [m/s], speed_ratio (speed /
+        2 N M rows; columns law, length_ratio [-], radius [m], speed [m/s], speed_ratio (speed /
         yield speed), overlap_max, overlap_res [m], force_max [N], contact_radius (half width at the
         largest overlap) [m], pressure_ratio (mean pressure at the largest overlap / yield strength)
         [-], loading_time, contact_time [s], coefficient_of_restitution [-] and in_range.
@@ -110,7 +111,7 @@ def comparison() -> pd.DataFrame:
     """Return the results of each law for the impact that the paper computed by finite elements.
 
     Returns:
-        (3,) rows for the laws and the finite elements: overlap_res [m] and its relative error;
+        A row for each law and one for the finite elements: overlap_res [m] and its relative error;
         contact_time [s] of the laws, and contact_time_bound [s] of the finite elements;
         coefficient_of_restitution [-] of the laws.
     """

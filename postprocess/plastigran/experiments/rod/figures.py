@@ -73,7 +73,7 @@ def motion_figure(run: RodImpact, measured: RodOutcome) -> Figure:
                 style = {"marker": "o", "ms": 4, "mfc": "white", "color": colour, "ls": ""}
                 axes.plot(points["time"] * 1e6, points[column] * scale, label=label, **style)
                 if column in levels:
-                    axes.axhline(levels[column], color=colour, ls=":", label="measured after")
+                    axes.axhline(levels[column], color=colour, ls=":", label="rebound, measured")
             axes.set_ylabel(ylabel)
             axes.legend(fontsize=8)
         for axes in grid[1]:

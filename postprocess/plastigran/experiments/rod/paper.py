@@ -31,7 +31,10 @@ class MeasuredRun:
         return rod.mass * (self.velocity_after - self.velocity_before)
 
     def coefficient_of_restitution(self, rod: Rod) -> float:
-        """Return impulse / (m_eff v) - 1 [-], with the effective mass of a sliding tip."""
+        """Return the coefficient of restitution of the tip [-], impulse / (m_eff v) - 1.
+
+        m_eff is the effective mass of a tip that slides throughout the impact.
+        """
         return self.impulse(rod) / (rod.mass_eff * -self.velocity_before) - 1
 
 
@@ -44,6 +47,6 @@ def paper_rods() -> tuple[Rod, ...]:
     return tuple(Rod(*set_up) for set_up in PAPER_FRICTION.items())
 
 
-#: Approximate measured coefficient of restitution of the tip's normal velocity, for all speeds [-],
-#: by the angle of the rod [degrees].
+#: Measured coefficient of restitution of the tip's normal velocity [-], by the angle of the rod
+#: [degrees]. The values are approximate and about the same at all speeds.
 PAPER_RESTITUTION = {45.0: 0.43, 17.2: 0.55}

@@ -49,7 +49,10 @@ class HalfSpace(RigidPlane):
 
 
 def _below(edges: Edges, radii: np.ndarray, block: Body) -> tuple[np.ndarray, np.ndarray]:
-    """Return vertical degrees of freedom and shape functions of the surface at radii, (n, 3)."""
+    """Return vertical degrees of freedom and shape functions of the surface at radii, (n, 3) each.
+
+    `radii` are the n distances from the axis, m.
+    """
     ends = block.locations[0, edges.dofs[:, :2, 0]]
     edge = np.searchsorted(ends.max(axis=1), radii)
     start, end = ends[edge].T

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Impact of a rigid cylinder on an elastic-plastic body in plane strain, head-on or sliding.
 
-The motion of body and cylinder is computed by implicit dynamics, as for the sphere. The body is
-half a disc with a fixed arc. The radius of the disc is the thickness of the body in Johnson's
+The motion of body and cylinder is computed by implicit dynamics, as in `fem.sphere.throw`. The body
+is half a disc with a fixed arc. The radius of the disc is the thickness of the body in Johnson's
 formula for the approach of a line contact (Contact Mechanics, 1985, sec. 5.6). The
 default thickness is so large that no wave returns from the arc during the contact.
 """
@@ -109,7 +109,8 @@ def strike(
 
     Args:
         case: Impact.
-        settings: Settings as for the sphere; `steps_of_contact` refers to the elastic duration.
+        settings: Settings of mesh and time steps. `steps_of_contact` is the number of time steps
+            during the elastic contact.
         progress: Whether to show a bar.
 
     Raises:

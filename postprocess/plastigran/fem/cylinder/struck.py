@@ -133,11 +133,12 @@ class StrikeLog:
         return np.array([first - (self.circle.start + row["way"]), -second]) / row["half_width"]
 
     def _surface_at_rest(self) -> np.ndarray:
-        """Return (x, y) of the track's surface (n_points, 2), m, when the body is at rest.
+        """Return (x, y) of the surface where contact is possible (n_points, 2), m, at rest.
 
         The waves are assumed to decay elastically, without further yield. The displacement at rest
-        therefore follows from one linear solution: the undeformed stiffness relaxes the forces of
-        the last stresses. In finite strain, the solution is an approximation.
+        therefore follows from one linear system: the internal forces of the last step divided by
+        the stiffness of the undeformed body give the displacement of the waves, which is
+        subtracted. In finite strain, this is an approximation.
         """
         body, state = self.body, self.flight.now.state
         fixed = np.concatenate([body.fixed, body.center])

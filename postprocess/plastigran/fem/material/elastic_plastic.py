@@ -135,7 +135,7 @@ class ElasticPlastic:
             return Response(stress, state, flowing, np.empty((0, 4, 4)))
         trial = mises[flowing]
         step, flow, slope = self._flow(trial, state.accumulated[flowing], duration)
-        # Unit deviator; the direction of plastic flow is 3/2 times this tensor.
+        # Deviator / von Mises stress; the direction of plastic flow is 3/2 times this tensor.
         direction = deviator[flowing] / trial[:, None]
         stress[flowing] -= (3 * self.shear_modulus * step)[:, None] * direction
         after = State(*(column.copy() for column in attrs.astuple(state)))
@@ -149,7 +149,9 @@ class ElasticPlastic:
     ) -> np.ndarray:
         shear = self.shear_modulus
         theta = 1 - 3 * shear * step / trial
-        normal = 1.5 * (1 / (1 + slope / (3 * shear)) - (1 - theta))  # n n^T = 3/2 d d^T
+        # The factor 1.5 converts d (`direction`) to the unit normal n of Simo and Hughes:
+        # n n^T = 3/2 d d^T.
+        normal = 1.5 * (1 / (1 + slope / (3 * shear)) - (1 - theta))
         return (
             self.bulk_modulus * np.outer(IDENTITY, IDENTITY)
             + 2 * shear * theta[:, None, None] * DEVIATOR

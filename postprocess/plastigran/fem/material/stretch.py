@@ -81,7 +81,8 @@ class Stretch:
             "nia,nab,njb->nij", self._vectors, 2 * turned * self._first(), self._vectors
         )
         plane = curved + curved.swapaxes(1, 2)
-        # Add dF^T dF' : S for components in the same row of F: rr with ry, yy with yr.
+        # Add the term from the second derivative of C = F^T F. It couples components in the same
+        # row of F: rr with ry, and yy with yr.
         for columns in np.array([[0, 2], [3, 1]]):
             plane[:, columns[:, None], columns] += piola
         result[:, IN_PLANE[:, None], IN_PLANE] += plane

@@ -3,9 +3,9 @@
 
 For loading beyond the yield force P_Y, the law is (Vu-Quoc and Zhang, 1999):
 a = a_e + C_a (P - P_Y), a^2 = C_R R alpha, C_R = 1 + K_c (P - P_Y), with the Hertzian contact
-radius a_e and the approach alpha. Each constant is the slope of a least-squares line through zero
-for first loading versus P - P_Y: C_a for a - a_e, and K_c for
-C_R - 1 = (a_e + C_a (P - P_Y))^2 / (R alpha) - 1. The weights are the distances between force
+radius a_e and the approach alpha. Both constants are slopes of least-squares lines through zero,
+fitted to first loading. C_a is the slope of a - a_e versus P - P_Y. K_c is the slope of
+(a_e + C_a (P - P_Y))^2 / (R alpha) - 1 versus P - P_Y. The weights are the distances between force
 increments. The fit of K_c uses the contact radius of the law. The law therefore reproduces the
 approach of the finite elements as well as possible.
 """

@@ -33,7 +33,7 @@ CUTS = 6  # largest number of halvings of an increment
 
 
 class ForceControl:
-    """Force control of a supported sphere: applies force increments, and adds a row for each."""
+    """Force control of a supported sphere. Applies forces, and appends a row to `rows` for each."""
 
     def __init__(self, equations: Equations, sphere: HertzSphere) -> None:
         self.equations, self.sphere = equations, sphere

@@ -23,7 +23,8 @@ class Pressing:
         material: Material of the sphere.
         radius: Radius of the sphere, m.
         history: One row per increment: force N, approach m, contact_radius m, energies J, and
-            `branch`, 2k for loading to the k-th force and 2k + 1 for unloading.
+            `branch`: 0 for loading to the first force, 1 for unloading, 2 for loading to the second
+            force, and so on.
         unloadings: One row per largest force: force, approach, contact_radius, residual_approach,
             work_loading, work_unloading, coefficient_of_restitution.
         snapshots: Fields at each largest force and after each unloading.
@@ -48,7 +49,7 @@ class Pressing:
 
 
 def first_loading_of(history: pd.DataFrame) -> pd.DataFrame:
-    """Return the rows of first loading, whose force is at least as large as all earlier forces."""
+    """Return the rows of first loading, whose force exceeds all earlier forces."""
     loading = history[history["branch"] % 2 == 0]
     reached = loading["force"].cummax().shift(fill_value=0)
     return loading[loading["force"] > (1 + ROUNDING) * reached]
@@ -73,7 +74,7 @@ class Throw:
         overlap_res: Approach at the end of contact, m.
         contact_time: Duration of the contact, s.
         snapshot: Fields at the end of contact.
-        snapshots: Fields by time, s: `Settings.frames` snapshots during Hertz' duration.
+        snapshots: Fields by time, s: `Settings.frames` snapshots per duration of a Hertz impact.
         stopped: Reason of an early end; otherwise empty. After an early end, the values at the end
             are NaN.
         plane: Material of the half space; None for a rigid plane.

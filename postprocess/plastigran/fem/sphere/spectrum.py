@@ -33,10 +33,10 @@ def spectrum(values: np.ndarray, timestep: float) -> tuple[np.ndarray, np.ndarra
 def peaks(
     frequencies: np.ndarray, amplitudes: np.ndarray, least: float = 0.01
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return the peaks of a spectrum, from parabolas through three logarithms.
+    """Return the peaks of a spectrum, from parabolas through the logarithms of three amplitudes.
 
     Args:
-        frequencies: Evenly spaced frequencies (n,), Hz.
+        frequencies: Evenly spaced frequencies (n,), Hz, starting at 0.
         amplitudes: Amplitudes (n,).
         least: Smallest peak / largest amplitude.
 

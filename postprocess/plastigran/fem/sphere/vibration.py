@@ -31,16 +31,16 @@ class Vibration:
         radius: Radius of the sphere, m.
         speed: Impact speed, m/s.
         timestep: Time step, s.
-        history: One row per step: time s, force N (mean over the step that ends there), approach m
-            and velocity m/s (of the center of mass, upward), contact_radius m, kinetic_energy,
-            centre_kinetic_energy, elastic_energy, penalty_energy and middle_elastic_energy J.
-            middle_elastic_energy belongs to the mean displacement of the step; the mean filters
-            vibrations that the steps do not resolve. Further columns are top_displacement m
-            (upward, of the pole far from the plane) and equator_displacement m (outward), relative
-            to the center of mass.
+        history: One row per step: time s, force N (mean over the step that ends at this time),
+            approach m (of the center of mass), velocity m/s (of the center of mass, upward),
+            contact_radius m, kinetic_energy, centre_kinetic_energy, elastic_energy, penalty_energy
+            and middle_elastic_energy J. The last is the elastic energy at the mean displacement of
+            the step; the mean filters vibrations that the steps do not resolve. Further columns are
+            top_displacement m (upward, of the pole far from the plane) and equator_displacement m
+            (outward), relative to the center of mass.
         modes: One row for each of the lowest free vibrations of the mesh: frequency Hz, energy J at
-            the end, and contact_displacement kg^-1/2. This column is the normal displacement at
-            the contact point for unit modal mass.
+            the end, and contact_displacement kg^-1/2, the normal displacement at the contact point
+            for unit modal mass.
         coefficient_of_restitution: Momentum after the impact / momentum before the impact.
         kinetic_restitution: Square root of the ratio of total kinetic energies: mean of the flight
             / before the impact. It counts half of the vibration energy as rebound.

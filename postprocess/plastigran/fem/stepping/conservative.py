@@ -6,7 +6,8 @@ of the plane at the start (0) and end (1) of a step:
 
     u1 - u0 = dt (v0 + v1)/2,    M (v1 - v0)/dt + K (u0 + u1)/2 = f(g0, g1).
 
-The energy V(g) = k <-g>^2/2 of the penalty at each Gauss point gives the force
+Each Gauss point has a penalty spring of stiffness k, N/m. Its energy is V(g) = k <-g>^2/2, where
+<x> is max(x, 0). The force at this point is
 -(V(g1) - V(g0))/(g1 - g0), the discrete gradient of Gonzalez (2000, Comput. Methods Appl. Mech.
 Engrg. 190:1763). The sum of kinetic, elastic and penalty energy is therefore constant for any time
 step. Momentum changes by dt times the sum of f.
@@ -59,11 +60,17 @@ class SpringPlane(RigidPlane):
         return float(self._springs @ np.minimum(gap, 0) ** 2) / 2
 
     def mean_force(self, start: np.ndarray, end: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Return the forces of a step (n_points,), N, by the discrete gradient of the energy.
+        """Return the mean contact forces of a step, and their slopes.
 
-        `start` and `end` are gaps (n_points,), m. With p = <-g>, the force is
-        k (p0 + p1)/2 |p1 - p0|/|g1 - g0|. The second array contains the negative derivatives of the
-        force with respect to the gaps at the end, N/m.
+        The force at a Gauss point is the discrete gradient of its spring energy,
+        k (p0 + p1)/2 |p1 - p0|/|g1 - g0|, with p = <-g> and the spring stiffness k.
+
+        Args:
+            start, end: Gaps g0 and g1 at the start and the end of the step (n_points,), m.
+
+        Returns:
+            Forces (n_points,), N, and slopes (n_points,), N/m. A slope is minus the derivative of
+            the force with respect to the gap `end`.
         """
         before, after = np.maximum(-start, 0), np.maximum(-end, 0)
         closed, opened = (start < 0) & (end < 0), (start >= 0) & (end >= 0)

@@ -58,9 +58,9 @@ class SymmetricSystem:
         return csc_matrix((data, self._indices, self._pointers), shape=(self.free.size,) * 2)
 
     def factor(self, matrices: list[np.ndarray]) -> Factor:
-        """Return the factorization of the sum of element matrices.
+        """Return the factorization of the matrix assembled from element matrices.
 
-        Each group has one array (n_elements, n_dofs, n_dofs).
+        `matrices` has one array (n_elements, n_dofs, n_dofs) for each type of element.
 
         Raises:
             SingularError: The sum is singular.

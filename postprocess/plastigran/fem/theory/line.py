@@ -71,8 +71,9 @@ class HertzLine:
         """Return the largest force, N, of an impact of a mass (kg) at a speed (m/s)."""
         kinetic_energy = mass * speed**2 / 2
         ratio = self.material.poissons_ratio / (1 - self.material.poissons_ratio)
-        # The formula holds for small contacts. At this force, the contact is as wide as the layer
-        # is thick. In the formula, the approach grows with the force only up to e times this force.
+        # The formula of `approach` holds for small contacts. At the force `largest`, the contact is
+        # about as wide as the layer is thick. Above e times `largest`, the approach by the formula
+        # would decrease.
         largest = (
             pi * self.material.plane_modulus * self.length * self.thickness**2 / self.radius
         ) * exp(-2 - ratio)

@@ -61,7 +61,8 @@ def silo(orifice: str) -> dict[str, pd.DataFrame]:
         orifice: large or small.
 
     Returns:
-        For MUSEN and, with the large orifice, LIGGGHTS: columns time [s] and held.
+        For MUSEN and, with the large orifice, LIGGGHTS: columns time [s] and held (number of
+        grains above the orifice).
     """
     table = _read("silo")
     return {

@@ -25,8 +25,8 @@ MOST_NAMED = 5
 #: values.
 SCALE_PERCENTILE = 99.5
 _LARGEST = 65535  # largest 16-bit number
-#: Quantities that can color grains. For each attribute of a frame: name in words, and column of a
-#: table with the same unit.
+#: Quantities that can color grains. For each attribute of a frame: its name in words, and an entry
+#: of `plastigran.plot.quantities.QUANTITIES` with the same unit.
 COLOURED = {
     "plastic_work": ("plastic work", "plastic"),
     "force": ("largest contact force", "force"),

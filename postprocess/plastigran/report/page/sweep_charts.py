@@ -65,7 +65,7 @@ def measured_chart(table: pd.DataFrame, materials: Mapping[str, Material]) -> Ch
 
 
 def _abscissa(table: pd.DataFrame) -> str | None:
-    """Return the column of the x axis: the number with most values, or else a text that varies."""
+    """Return the column of the x axis: the number with most values, or a text if none varies."""
     numbers = [name for name in ("speed", "angle", "incident_angle", "radius") if name in table]
     others = [name for name in ("geometry", "material", "wall", "options") if name in table]
     counts = {name: table[name].nunique() for name in numbers + others}

@@ -153,7 +153,7 @@ def _charts(
 
 
 def _has_usual(table: pd.DataFrame) -> bool:
-    """Return whether an impact has no metal wall and the default options of its law."""
+    """Return whether some impacts have no metal wall and use the default options of the law."""
     usual = pd.Series(True, table.index)
     if "wall" in table:
         usual &= table["wall"].isin(WALLS)

@@ -30,8 +30,8 @@ def collapse_figure(constants: Constants, rows: pd.DataFrame) -> Figure:
     """Draw force, contact radius and released energy, relative to Hertz, versus the depth S.
 
     For force and contact radius, the Hertz contact has the same overlap. For the released energy,
-    it has the same force and contact radius. Lines are the equations of the law for small a/R
-    without hardening.
+    the Hertz contact has the same force and contact radius. Lines are the equations of the law for
+    small a/R without hardening.
     """
     metals, t = Metals.of(rows), np.sqrt(rows["overlap_ratio"])
     s = depth(constants, metals, t.to_numpy())

@@ -34,7 +34,7 @@ REGIMES = (*SPEED_RATIOS, 1200)
 
 
 def fit(rows: pd.DataFrame) -> Constants:
-    """Return the constants that fit the rows of the fit set, with a soft L1 norm."""
+    """Fit the constants to the rows of the set `fit`, with a soft L1 norm, and return them."""
     rows = rows[rows["set"] == "fit"]
     metals, t = Metals.of(rows), np.sqrt(rows["overlap_ratio"].to_numpy())
     names = [field.name for field in attrs.fields(Constants)]

@@ -28,7 +28,7 @@ class Constants:
         q_1: Strength: depth from which the pressure at yield has no effect.
         q_2: Strength: effect of hardening.
         q_3: Strength: saturation of the effect of hardening.
-        f_1: Force far from yield: 1/f_1 F_Y t^2.
+        f_1: Force far from yield: F_Y t^2/f_1.
         f_2: Force near yield.
         f_3: Force near yield.
         f_4: Force near yield.
@@ -69,7 +69,7 @@ class Metals:
 
     Attributes:
         onset: p_y/sigma_Y divided by its value at Poisson's ratio 0.3.
-        hardening: (p_y/sigma_Y) H/E'.
+        hardening: (p_y/sigma_Y) H/E', with E' = E/(1 - nu^2).
         yield_radius: a_Y/R.
     """
 

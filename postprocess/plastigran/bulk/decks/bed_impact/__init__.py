@@ -157,7 +157,7 @@ def plate_checks(shot: pd.DataFrame, mass: float, dissipated: pd.Series) -> list
             reason,
         ),
         Check(
-            "quantiles of rebound speed compared with the law, divided by the fastest impact",
+            "quantiles of rebound speed compared with the law, divided by the fastest impact speed",
             abs(quantiles).max() / impact.max(),
             INTEGRATOR,
             reason,

@@ -56,7 +56,7 @@ def bed_figure(shot: pd.DataFrame, by_depth: pd.DataFrame, diameter: float) -> F
         bars = {"height": 0.85, "color": COLOURS[0], "alpha": 0.75}
         right.barh(by_depth["depth"] / diameter, work / total, **bars)
         right.invert_yaxis()
-        right.set_xlabel(f"fraction of the plastic work, {total:.2g} J")
+        right.set_xlabel(f"fraction of the total plastic work of {total:.2g} J")
         right.set_ylabel("depth (grain diameters)")
     return figure
 

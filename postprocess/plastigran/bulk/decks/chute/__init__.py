@@ -45,7 +45,12 @@ class Chute(FlowDeck):
         "initial speed at the surface, with Bagnold's profile", "m/s", 0, lower_allowed=True
     )
     size_spread: float = number(
-        "relative reduction of the radius of half of the grains", "-", 0, 0.3, True, True
+        "relative change of the radius: half of the grains smaller, half larger",
+        "-",
+        0,
+        0.3,
+        True,
+        True,
     )
 
     def analyse(self, series: pd.DataFrame) -> Analysis:
@@ -65,8 +70,8 @@ class Chute(FlowDeck):
         """Add the predicted potential energy and the power of the weight to a series.
 
         Args:
-            series: Columns time [s], mass of the grains [kg], and, for their center of mass, the
-                distance z from the base [m] and the speed along the chute [m/s].
+            series: Columns time [s], mass of the grains [kg], z and speed. z is the distance of the
+                center of mass from the base [m]; speed is its velocity along the chute [m/s].
 
         Returns:
             The series with two further columns: `gravity_predicted`, the change of potential energy

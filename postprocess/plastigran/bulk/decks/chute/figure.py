@@ -64,7 +64,7 @@ def _draw_powers(axes, series, settling) -> None:
     plastic = mean_power(series["plastic"], time, WINDOW)
     axes.plot(time, weight, color=COLOURS[0], label="weight")
     axes.plot(total.index, total, color=COLOURS[1], lw=1, label="dissipated in the flow")
-    axes.plot(plastic.index, plastic, ":", color=COLOURS[1], lw=1, label="by yielding")
+    axes.plot(plastic.index, plastic, ":", color=COLOURS[1], lw=1, label="dissipated by yielding")
     axes.axvline(settling, color="0.4", ls=":")
     axes.set(ylim=(0, 1.2 * weight.max()), ylabel="power (W)", xlabel="time (s)")
     axes.legend(loc="center right")

@@ -45,7 +45,7 @@ class CoolingGas(BulkDeck):
 
     side: int = whole("number of grains along a side of the box", 3)
     volume_fraction: float = number("volume fraction of the grains", "-", 0, FREEZING)
-    temperature: float = number("initial variance of the velocity in each direction", "m^2/s^2", 0)
+    temperature: float = number("initial variance of each velocity component", "m^2/s^2", 0)
     mixing: float = number("elastic impacts per grain before the measurement", "-", 0)
     # A continued run may change these settings, so that it ends later or has more log lines.
     duration: float = continuable(
@@ -126,12 +126,12 @@ class CoolingGas(BulkDeck):
     def stored_share(self, gas: Gas) -> float:
         """Return an upper bound of the elastic energy / kinetic energy at the start [-].
 
-        Of N grains, N s/2 pairs are in contact at a given time. s is the collision rate of a grain
-        times the duration of an elastic impact at the mean speed. The energy m g^2/4 of an impact
-        at the closing speed g is exponentially distributed with mean m T. About half of this energy
-        is stored at a given time. The total kinetic energy is 3/2 N m T. The mean fraction is
-        therefore s/6, with a standard deviation of s^(1/2)/(3 N^(1/2)). The bound adds `DEVIATIONS`
-        standard deviations to the mean.
+        At a given time, N s/2 pairs of the N grains are in contact. s is the collision rate of a
+        grain times the duration of an elastic impact at the mean speed. The energy m g^2/4 of an
+        impact at the closing speed g is exponentially distributed with mean m T. About half of this
+        energy is stored at a given time. The total kinetic energy is 3/2 N m T. The mean fraction
+        is therefore s/6, with a standard deviation of s^(1/2)/(3 N^(1/2)). The bound adds
+        `DEVIATIONS` standard deviations to the mean.
         """
         grains = self.grains
         modulus, speed = grains.pair.youngs_modulus_eff, (pi * self.temperature) ** 0.5

@@ -46,7 +46,7 @@ class Drum(FlowDeck):
     length: float = number("length along the axis", "m", 0)
     # At 1 and above, grains stick to the shell, because gravity is below the centrifugal force.
     froude: float = number("Froude number omega^2 R/g", "-", 0, 1)
-    bed_height: float = number("height of the lattice above the axis", "drum radii", -0.8, 0.8)
+    bed_height: float = number("initial fill level above the axis", "drum radii", -0.8, 0.8)
     duration: float = number("duration of the run", "revolutions", 0)
     settling: float = number(
         "time before the flow is measured", "revolutions", 0, lower_allowed=True
@@ -134,9 +134,9 @@ class Drum(FlowDeck):
         ]
 
     def power_checks(self, series: pd.DataFrame, steady: pd.DataFrame) -> list[Check]:
-        """Compare the work of the wall with the gravity torque and with the dissipated energy.
+        """Compare the work of the wall with the work of the weight's torque and with dissipation.
 
-        The comparison with the gravity torque is omitted for decks with rolling friction. LIGGGHTS
+        The comparison with the weight's torque is omitted for decks with rolling friction. LIGGGHTS
         computes rolling friction as if the wall did not rotate. Rolling friction then acts on the
         grains, but is missing in the work of the wall.
 

@@ -21,7 +21,7 @@ def drum_figure(
 ) -> Figure:
     """Draw the bed as seen along the axis, the angle of the bed, and the powers versus time.
 
-    The powers come from the wall, the torque of gravity, and dissipation in the bed.
+    The figure shows the power of the wall, of the torque of gravity, and of dissipation in the bed.
 
     Args:
         series: Columns time [s], revolutions, angle [degrees], and works [J]: wallwork,
@@ -74,7 +74,7 @@ def _draw_powers(axes, series) -> None:
     axes.plot(turns, wall, color=COLOURS[0], label="wall")
     axes.plot(turns[::every], lever[::every], "o", label="torque of the weight", **points)
     axes.plot(turns, total, color=COLOURS[1], lw=1, label="dissipated in the bed")
-    axes.plot(turns, plastic, color=COLOURS[1], lw=1, ls=":", label="by yielding")
+    axes.plot(turns, plastic, color=COLOURS[1], lw=1, ls=":", label="dissipated by yielding")
     # Without energy balance, the work of the wall is unknown: let matplotlib choose the limit.
     top = 2.2 * wall.max() or None
     axes.set(ylim=(0, top), ylabel="power (mW)", xlabel="revolutions")

@@ -53,7 +53,7 @@ class Hopper(GranularDeck):
 
     orifice: str = text("orifice diameter in grain diameters, of inputs/meshes/hopper_*.stl")
     layers: int = whole("number of layers of about 200 grains", 1)
-    temperature: float = number("initial variance of the velocity in each direction", "m^2/s^2", 0)
+    temperature: float = number("initial variance of each velocity component", "m^2/s^2", 0)
     filling: float = number("time for the grains to come to rest", "s", 0)
     duration: float = number("duration / time to empty the hopper by Beverloo's law", "-", 0)
     beverloo_coefficient: float = number("C of Beverloo's law", "-", 0)

@@ -50,7 +50,7 @@ class MixingDrum(GranularDeck):
         """Check that the grains fit into the drum and fill at least one layer of each size.
 
         Raises:
-            ValueError: The condition is violated; the message names the setting.
+            ValueError: A condition is violated; the message names the setting.
         """
         # The length of the shell mesh equals the drum radius.
         require(self, "length", lower=4 * self.large_radius, upper=self.drum_radius)
@@ -114,7 +114,7 @@ class MixingDrum(GranularDeck):
     def _layer(
         self, count: int, radius: float, lower: float, upper: float, seed: int
     ) -> np.ndarray:
-        """Return positions of equal grains between two heights in the drum (count, 3) [m]."""
+        """Return positions (count, 3) [m] of equal grains between two heights in the drum."""
         reach, side = self._reach(radius), self.length / 2 - radius
         bottom, top = max(lower + radius, -reach), min(upper - radius, reach)
 

@@ -66,7 +66,7 @@ class UniaxialTest(GranularDeck):
         "adhesive / loading stiffness of edinburgh_2014", "-", 0, 1e6, True, True
     )
     surface_energy: float = number(
-        "surface energy whose pull-off force is the constant force of edinburgh_2014",
+        "surface energy; its JKR pull-off force is the constant force of edinburgh_2014",
         "J/m^2",
         0,
         lower_allowed=True,
@@ -78,14 +78,21 @@ class UniaxialTest(GranularDeck):
     )
     plasticity_depth: float = number("plasticity depth of luding_2008", "-", 0)
     size_spread: float = number(
-        "relative reduction of the radius of half of the grains", "-", 0, 0.5, True, True
+        "relative change of the radius: half of the grains smaller, half larger",
+        "-",
+        0,
+        0.5,
+        True,
+        True,
     )
     side: int = whole("cells of two grains along each side of the mold", 2)
     layers: int = whole("layers of cells", 2)
     volume_fraction: float = number("volume fraction of the lattice of cells", "-", 0, 0.55)
     consolidation_stress: float = number("stress of the platen in the mold", "Pa", 0)
     closing_speed: float = number("speed of the platen on its way to the sample", "m/s", 0)
-    speed: float = number("speed of the platen in unloading and on the free sample", "m/s", 0)
+    speed: float = number(
+        "speed of the platen during unloading and compression of the free sample", "m/s", 0
+    )
     strain: float = number("largest strain of the free sample", "-", 0, 1)
     filling: float = number("time for the grains to sink", "s", 0)
     consolidation: float = number("time for the platen to reach its stress", "s", 0)

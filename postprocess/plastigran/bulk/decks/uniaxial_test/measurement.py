@@ -72,11 +72,11 @@ def platen_height(table: pd.DataFrame, start: float) -> np.ndarray:
 
 
 def platen_work(table: pd.DataFrame) -> pd.Series:
-    """Return the work of the platen since the previous row (n,) [J].
+    """Return the work (n,) [J] of the platen between each log line and the previous one.
 
     Args:
         table: Columns height of the platen [m], and mean upward force on the platen since the
-            previous row [N].
+            previous log line [N].
     """
     return -table["force"] * table["height"].diff()
 
