@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Fixtures and lists of laws that the test folders share; laws are found, not listed."""
+"""Fixtures that several test folders share, and parameters that run a test for every law."""
 
 from __future__ import annotations
 
@@ -48,8 +48,9 @@ settings.load_profile("test")
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    # Ranks that wait leave the core to other tests. LAMMPS uses MPICH, whose collective operations
-    # for shared memory wait without calling sched_yield. The last variable switches them off.
+    # Waiting ranks must leave the core to other tests. The first variable is for Open MPI, the
+    # others are for MPICH, which LAMMPS uses. MPICH's collective operations in shared memory wait
+    # without calling sched_yield, so the last variable switches these operations off.
     os.environ.setdefault("OMPI_MCA_mpi_yield_when_idle", "1")
     os.environ.setdefault("MPIR_CVAR_POLLS_BEFORE_YIELD", "1")
     os.environ.setdefault("MPIR_CVAR_DEVICE_COLLECTIVES", "none")
@@ -57,7 +58,7 @@ def pytest_configure(config: pytest.Config) -> None:
     if "ASAN_OPTIONS" not in os.environ and not set(resting_ranks) & set(" :"):
         os.environ.setdefault("LD_PRELOAD", resting_ranks)
     if config.option.markexpr == "not engine":
-        os.environ["PLASTIGRAN_ENGINE"] = "no engine: a test that starts it was not found to"
+        os.environ["PLASTIGRAN_ENGINE"] = "no engine: engine_marker.py missed a test that starts it"
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
@@ -68,9 +69,11 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
     """Run a test for several laws.
 
     law_name: Every law that begins with an elastic contact and has no adhesion.
-    other_law: Every other law.
+    other_law: Every law that is not a `law_name`.
     engine_law: Every `law_name` with a model in LIGGGHTS.
     history_law: Every `engine_law`, and `thornton` with a rate-dependent strength.
+    stored_law: One `history_law` for each form of the contact history. Ranks exchange stored
+        values whatever their meaning.
     sphere_law: Every `engine_law` for spheres.
     hertzian_law: Every `sphere_law` whose elastic contact is Hertz'.
     yielding_law: Every `sphere_law` that yields.
@@ -96,6 +99,12 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
         metafunc.parametrize("engine_law", ENGINE_LAWS)
     if "history_law" in metafunc.fixturenames:
         metafunc.parametrize("history_law", [*ENGINE_LAWS, "thornton at a rate"])
+    if "stored_law" in metafunc.fixturenames:
+        one = {
+            (laws.LAWS[name].state_names, laws.LAWS[name].rate_dependent): name
+            for name in ENGINE_LAWS
+        }
+        metafunc.parametrize("stored_law", [*one.values(), "thornton at a rate"])
 
 
 @pytest.fixture
@@ -163,8 +172,11 @@ def paper_mass(aluminium) -> float:
 
 @pytest.fixture(scope="session")
 def declared_jumps() -> dict[str, list[tuple[float, float]]]:
-    """Jumps of the force in the source of each law, for the paper's aluminum: overlap / overlap at
-    yield, and relative change of the force."""
+    """Jumps of the force during first loading, by law, for the paper's aluminum.
+
+    They follow from the equations of the source. Each jump is a pair: overlap / overlap at yield,
+    and relative change of the force.
+    """
     return {law: impacts.jumps(law) for law in ELASTIC_FIRST}
 
 
