@@ -66,7 +66,7 @@ def test_tensile_strength_of_steel_is_below_the_flow_stress():
     [
         ("380 HV0", "must be a number and a scale"),
         ("380 HV10/0", "must be a number and a scale"),
-        ("45HRX", "hardness is 45 HRX; scales are HV, HB, HRC"),
+        ("45HRX", "the scale of hardness is HRX; it must be one of HV, HB, HRC"),
         ("hard", "hardness is 'hard'; it must be a number and a scale"),
         (2.6e9, r"hardness is 2.6e\+09; it must lie from 5 to 2000 \[HV\]"),
         ("72HRC", r"hardness is 72; it must lie from 20 to 68 \[HRC\]"),

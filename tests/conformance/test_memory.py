@@ -182,9 +182,8 @@ def test_a_wall_elsewhere_is_another(tmp_path):
 
 
 def test_memory_that_ends_with_a_line_is_told_of(tmp_path):
-    """The log reports that history ends when models without history replace those of a line.
-
-    LIGGGHTS itself deletes the history then.
+    """If a repeated `pair_style` line has models without contact history, LIGGGHTS deletes the
+    stored histories, and the log says so.
     """
     log = run_with(
         "pair_style gran model hertz tangential off; pair_coeff * *", "stronge", tmp_path

@@ -14,7 +14,9 @@ from plastigran.papers.dosta24.published import drum, eight_codes, silo
 
 
 def test_published_impact_has_the_printed_ranges():
-    """The lowest and highest mean of eight codes at 30, 50 and 100 ms [mm] agree with the paper."""
+    """At 30, 50 and 100 ms, the lowest and highest mean displacements [mm] of the eight codes
+    agree with the paper.
+    """
     printed = {0.03: (-136.7, -136.0), 0.05: (-115.1, -108.5), 0.1: (-67.5, -44.1)}
     for time, expected in printed.items():
         means = [

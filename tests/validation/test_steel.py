@@ -23,8 +23,8 @@ def rate(rebounds) -> pd.DataFrame:
 
 
 def test_the_nearest_law_has_the_slope_of_the_table_and_its_level_with_the_rate(rebounds, rate):
-    """The table has an uncertainty of 5 % in restitution. The uncertainty of its slope is 1.7 %,
-    because other data of manufacturers differ from it by 4 % in HV."""
+    """The uncertainty of the table is 5 % in restitution. Tables of other manufacturers differ from
+    this one by 4 % in HV, which changes the slope of restitution versus hardness by 1.7 %."""
     nearest = steel.summary(rebounds).iloc[0]
     assert nearest["law"] == NEAREST
     assert nearest["rms about the mean"] < 1.7

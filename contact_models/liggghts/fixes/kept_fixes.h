@@ -32,8 +32,8 @@ class PairHistories : public KeptFix<LAMMPS_NS::FixContactHistory> {
  public:
   using KeptFix::KeptFix;
 
-  // Copies the histories from the neighbor lists, unless they were copied after the last force
-  // computation. The command delete_atoms calls this function each time, although an earlier
+  // Copies the histories from the neighbor lists, but only once after a force computation. Each
+  // command delete_atoms calls this function, and a second copy would be wrong, because the first
   // command may have changed the particle indices.
   void pre_exchange() override {
     if (*computeflag_) FixContactHistory::pre_exchange();

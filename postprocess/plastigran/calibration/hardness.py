@@ -95,7 +95,7 @@ class Hardness:
     def __attrs_post_init__(self) -> None:
         if self.scale not in SCALES:
             raise ValueError(
-                f"hardness is {self.value:g} {self.scale}; scales are {', '.join(SCALES)}"
+                f"the scale of hardness is {self.scale}; it must be one of {', '.join(SCALES)}"
             )
         read_number("hardness", self.value, SCALES[self.scale].numbers)
 

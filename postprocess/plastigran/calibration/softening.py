@@ -82,9 +82,9 @@ def comparison(
     Returns:
         Columns law and restitution_change [-], the largest change of restitution at 1 to 1000 times
         the yield speed. The change is 0 for laws that scale exactly. Further columns describe the
-        impact at `speed`, and with the suffix _softened the impact after softening:
-        coefficient_of_restitution [-], the recommended timestep [s], overlap (largest overlap /
-        radius) [-], and in_range, whether the impact is within the range of the law.
+        impact at `speed`: coefficient_of_restitution [-], the recommended timestep [s], overlap
+        (largest overlap / radius) [-], and in_range, whether the impact is within the range of the
+        law. With the suffix _softened, they describe the impact after softening.
 
     Raises:
         ValueError: A number is out of range, or the material lacks a constant of a law.

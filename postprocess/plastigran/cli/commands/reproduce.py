@@ -33,7 +33,9 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         choices=list(HOSTS),
         help="program that runs the decks, default liggghts; lammps needs --case impact",
     )
-    bulk.add_argument("--grains", type=positive_integer, help="number of grains (only impact)")
+    bulk.add_argument(
+        "--grains", type=positive_integer, help="number of grains, only with --case impact"
+    )
     bulk.add_argument(
         "--law",
         nargs="+",

@@ -23,8 +23,8 @@ class Pressing:
         material: Material of the sphere.
         radius: Radius of the sphere, m.
         history: One row per increment: force N, approach m, contact_radius m, energies J, and
-            `branch`: 0 for loading to the first force, 1 for unloading, 2 for loading to the second
-            force, and so on.
+            `branch`. It is 0 for loading to the first force, 1 for unloading, 2 for loading to the
+            second force, and so on.
         unloadings: One row per largest force: force, approach, contact_radius, residual_approach,
             work_loading, work_unloading, coefficient_of_restitution.
         snapshots: Fields at each largest force and after each unloading.

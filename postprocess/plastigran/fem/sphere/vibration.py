@@ -39,8 +39,8 @@ class Vibration:
             top_displacement m (upward, of the pole far from the plane) and equator_displacement m
             (outward), relative to the center of mass.
         modes: One row for each of the lowest free vibrations of the mesh: frequency Hz, energy J at
-            the end, and contact_displacement kg^-1/2, the normal displacement at the contact point
-            for unit modal mass.
+            the end, and contact_displacement kg^-1/2. The last is the normal displacement at the
+            contact point for unit modal mass.
         coefficient_of_restitution: Momentum after the impact / momentum before the impact.
         kinetic_restitution: Square root of the ratio of total kinetic energies: mean of the flight
             / before the impact. It counts half of the vibration energy as rebound.

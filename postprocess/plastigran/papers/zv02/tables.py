@@ -217,7 +217,7 @@ def coefficients(computed: Computed) -> pd.DataFrame:
 
 
 def engine(computed: Computed) -> pd.DataFrame:
-    """Return the largest difference between LIGGGHTS and the energy balance of the laws."""
+    """Return the largest differences of force and restitution between LIGGGHTS and the laws."""
     rows = []
     for law in LAWS:
         row: dict[str, object] = {"law": law}
