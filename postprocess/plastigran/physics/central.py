@@ -207,17 +207,3 @@ def line_yield(
     force = 6 * pair.yield_strength * ratio * radius_eff * cylinder_length
     overlap = radius_eff * ratio**2 * logarithm
     return force, overlap, force * overlap * (2 * logarithm - 1) / (4 * logarithm)
-
-
-def thornton_restitution(speed_ratio: ArrayLike) -> np.ndarray:
-    """Return the coefficient of restitution of Thornton's law [-]; 1 up to the yield speed.
-
-    `speed_ratio` is v/v_y [-]; it may have any shape. Source: Thornton 1997, J. Appl. Mech. 64:383,
-    eq. 25.
-    """
-    q = 1 / np.maximum(np.asarray(speed_ratio, dtype=float), 1)
-    return (
-        np.sqrt(6 * sqrt(3) / 5)
-        * np.sqrt(1 - q**2 / 6)
-        * (q / (q + 2 * np.sqrt(6 / 5 - q**2 / 5))) ** 0.25
-    )
