@@ -27,10 +27,15 @@ BEDS = {25000: {"hertz": 5, "thornton": 1}}
 #: Settings of all runs. The ball flies freely before the end. The time step is twice as long as in
 #: the paper.
 FULL = {"timestep": 1e-6, "duration": 0.05, "rows": 100}
+#: Volume fraction of the initial bed, by number of grains. It is chosen so that the ball leaves
+#: free fall as in the ten beds of the eight codes, with a deviation of 0.2 mm after 22 ms. These
+#: beds are denser than the published bed, for which the default of the deck holds.
+VOLUME_FRACTIONS = {EIGHT_CODES_BED: 0.585}
 #: Number of grains and settings of a coarse run.
 COARSE_GRAINS = 800
 COARSE = {"length": 0.02, "width": 0.015, "ball_radius": 0.003, "ball_height": 0.03}
-COARSE |= {"timestep": 1e-6, "duration": 0.012, "rows": 60, "checkpoints": 2}
+COARSE |= {"volume_fraction": 0.5}
+COARSE |= {"timestep": 2e-6, "duration": 0.01, "rows": 50, "checkpoints": 2}
 
 
 #: Runs of several beds, by number of grains and label of `CONTACTS`.
@@ -64,6 +69,8 @@ def compute(
         for label in law or BEDS.get(count, CONTACTS):
             number = 1 if coarse else beds or BEDS.get(count, {}).get(label, 1)
             settings = {"grain_count": count} | (COARSE if coarse else FULL)
+            if count in VOLUME_FRACTIONS:
+                settings["volume_fraction"] = VOLUME_FRACTIONS[count]
             path = folder / f"impact_{count}"
             if host:
                 settings["host"] = host
@@ -77,8 +84,8 @@ def compute(
 def displacement_at(time: float, run: BulkRun) -> float:
     """Return the displacement of the ball [m].
 
-    If the ball flies freely at the end of the run, and still moves upward at `time`, its further
-    motion follows from gravity. For another ball, the displacement is NaN.
+    After the end of the run, the motion follows from gravity, if the ball flies freely at the end
+    and still moves upward at `time`. Otherwise, the displacement is NaN.
 
     Args:
         time: Time [s].

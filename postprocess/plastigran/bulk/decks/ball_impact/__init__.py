@@ -32,7 +32,8 @@ class BallImpact(GranularDeck):
     briefs: ClassVar = {
         "": Brief(
             {"grain_count": 300, "length": 0.02, "width": 0.012, "ball_radius": 0.003}
-            | {"ball_height": 0.02, "timestep": 1e-6, "duration": 0.004, "rows": 40},
+            | {"ball_height": 0.02, "volume_fraction": 0.5}
+            | {"timestep": 1e-6, "duration": 0.004, "rows": 40},
             start={"duration": 0.0015},
             # Impacts in the bed amplify round-off, so continued runs agree only to this tolerance.
             restart=1e-6,
@@ -50,7 +51,13 @@ class BallImpact(GranularDeck):
     duration: float = number("duration of the run", "s", 0)
 
     def check(self) -> None:
-        """Check that the ball starts above a bed at least as high as a grain, and fits in."""
+        """Check that the ball fits into the box and starts above the bed.
+
+        Also check that the bed is at least as high as a grain.
+
+        Raises:
+            ValueError: A condition is violated; the message names the setting.
+        """
         for name in ("length", "width"):
             require(self, name, lower=2 * self.ball_radius)
         fewest = ceil(2 * self.radius * self.grain_count / self.bed_height)
@@ -97,7 +104,7 @@ class BallImpact(GranularDeck):
         checks = [
             count_check(series, self.grain_count + 1),
             Check(
-                "displacement of the ball above the bed, compared with free fall, in radii",
+                "deviation of the ball from free fall above the bed, in ball radii",
                 (series["displacement"] - fall)[falling].abs().max() / self.ball_radius,
                 FALL,
                 "the integrator is exact for a constant acceleration",
