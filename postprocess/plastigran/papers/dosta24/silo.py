@@ -21,13 +21,15 @@ RATES = {"large": 23.2, "small": 7.7}
 #: softening factor of 1/500 would raise the rate by 5 %. The run ends when the rate is measured.
 SOFT = softened_grains(0.01) | {"timestep": 1.35e-5, "duration": 0.25, "settling": 0.1}
 SOFT |= {"rows": 25, "checkpoints": 5}
+#: Settings of a run that lasts until the silo is nearly empty, by orifice and label of `CONTACTS`.
+LONG = {("large", "hertz"): {"duration": 4, "rows": 200, "checkpoints": 20}}
 #: Labels of `CONTACTS` by orifice.
 LAWS = {"large": ("hertz", "thornton"), "small": ("hertz",)}
 #: Line styles of other codes.
 STYLES = {"LIGGGHTS": "--", "MUSEN": ":"}
 #: Settings of a coarse run.
-COARSE = softened_grains(0.002) | {"timestep": 4e-5, "duration": 0.1, "settling": 0.04}
-COARSE |= {"rows": 50, "checkpoints": 2, "grain_count": 3000, "volume_fraction": 0.5}
+COARSE = softened_grains(0.002) | {"timestep": 4e-5, "duration": 0.08, "settling": 0.03}
+COARSE |= {"rows": 40, "checkpoints": 2, "grain_count": 2000, "volume_fraction": 0.5}
 
 #: Runs with several random fillings, by orifice and label of `CONTACTS`.
 Runs = dict[tuple[str, str], list[BulkRun]]
@@ -53,30 +55,34 @@ def compute(
     """
     runs = {}
     for orifice, labels in LAWS.items():
-        settings = {"orifice": orifice} | (COARSE if coarse else SOFT)
         path = folder / f"silo_{orifice}"
         for label in law or labels:
+            settings = COARSE if coarse else SOFT | LONG.get((orifice, label), {})
+            settings = settings | {"orifice": orifice}
             runs[orifice, label] = run_beds("silo", settings, label, beds, path, ranks, progress)
     return runs
 
 
 def rates(data: Runs) -> pd.DataFrame:
-    """Return the discharge rates in thousand grains per second: one row per orifice.
+    """Return the discharge rates in thousand grains per second.
 
-    The rates of other codes with the published filling are measured in the same interval of time.
+    Each orifice has one row for each end of our runs. The rates of other codes with the published
+    filling are measured in the same interval of time.
     """
     rows = []
     for orifice in dict.fromkeys(orifice for orifice, _ in data):
         ours = {label: runs for (other, label), runs in data.items() if other == orifice}
-        first = next(iter(ours.values()))[0]
-        times = first.deck.settling, first.series["time"].iloc[-1]
-        row = {
-            label: np.mean([_rate(r.series, *times) for r in runs]) for label, runs in ours.items()
-        }
-        row["eight codes"] = RATES[orifice]
-        for code, series in silo(orifice).items():
-            row[f"{code}, published filling"] = _rate(series, *times)
-        rows.append({"orifice": orifice, **row})
+        ends = {label: runs[0].series["time"].iloc[-1] for label, runs in ours.items()}
+        start = next(iter(ours.values()))[0].deck.settling
+        for end in sorted(set(ends.values()), reverse=True):
+            row = {"orifice": orifice, "from (s)": start, "to (s)": round(end, 2)}
+            for label, runs in ours.items():
+                if ends[label] >= end:
+                    row[label] = np.mean([_rate(run.series, start, end) for run in runs])
+            row["eight codes"] = RATES[orifice]
+            for code, series in silo(orifice).items():
+                row[f"{code}, published filling"] = _rate(series, start, end)
+            rows.append(row)
     return pd.DataFrame(rows)
 
 
