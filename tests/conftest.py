@@ -61,6 +61,11 @@ def pytest_configure(config: pytest.Config) -> None:
         os.environ["PLASTIGRAN_ENGINE"] = "no engine: engine_marker.py missed a test that starts it"
 
 
+def pytest_xdist_auto_num_workers() -> int:
+    """Return one worker more than cores, because many tests wait for other processes."""
+    return len(os.sched_getaffinity(0)) + 1
+
+
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     mark(items)
 
