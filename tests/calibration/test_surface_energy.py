@@ -117,8 +117,8 @@ SMALL, YIELDING = ["--radius", "1e-6"], ["--law", "thornton_ning_1998"]
     ("given", "message"),
     [
         (FORCE, "--pull-off and --sticking-speed need --radius"),
-        ([*SMALL, "--sticking-speed", "1e5"], "sticking_speed is 100000 m/s; with jkr, the surface energy"),
-        ([*SMALL, "--pull-off", "1"], "pull_off_force is 1 N; with jkr, the surface energy would lie"),
+        ([*SMALL, "--sticking-speed", "1e5"], "sticking_speed is 100000 m/s; with jkr"),
+        ([*SMALL, "--pull-off", "1"], "pull_off_force is 1 N; with jkr, the surface energy"),
         ([*SMALL, *FORCE, "--law", "hertz"], "law hertz has no surface energy. Use one"),
         ([*SMALL, *FORCE, "--law", "luding_2008"], "law luding_2008 has no surface energy"),
         ([*SMALL, *FORCE, *YIELDING], "law thornton_ning_1998 yields, so it needs --yield"),
