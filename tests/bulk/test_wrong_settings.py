@@ -30,7 +30,7 @@ from plastigran.engine.deck import read_deck
         ("chute", {"settling": 1.76}, r"settling is 1.76; it must be at most 1.75 \[s\]"),
         ("chute", {"rows": 9, "checkpoints": 1}, "rows is 9; it must be 10 or more"),
         ("compaction", {"die_radius": 0.004}, r"die_radius is 0.004; it must be above 0.004 and"),
-        ("ball_impact", {"grain_count": 57}, "grain_count is 57; it must be 58 or more"),
+        ("ball_impact", {"grain_count": 60}, "grain_count is 60; it must be 61 or more"),
         ("drum", {"drum_radius": 0.02}, r"drum_radius is 0.02; it must be above 0.023 and finite"),
         ("drum", {"length": 0.01}, r"length is 0.01; it must be above 0.023 and below 0.05 \[m\]"),
         ("drum", {"settling": 0.89}, r"settling is 0.89; it must be at most 0.885 \[revolutions\]"),
