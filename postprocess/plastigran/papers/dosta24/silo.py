@@ -57,8 +57,8 @@ def compute(
     for orifice, labels in LAWS.items():
         path = folder / f"silo_{orifice}"
         for label in law or labels:
-            settings = COARSE if coarse else SOFT | LONG.get((orifice, label), {})
-            settings = settings | {"orifice": orifice}
+            settings = {"orifice": orifice}
+            settings |= COARSE if coarse else SOFT | LONG.get((orifice, label), {})
             runs[orifice, label] = run_beds("silo", settings, label, beds, path, ranks, progress)
     return runs
 
