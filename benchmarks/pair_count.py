@@ -28,6 +28,7 @@ from pair_time import (
     WORK,
     bed_variables,
     known_laws,
+    read_contacts,
     run_bed,
     shape_of,
 )
@@ -35,7 +36,6 @@ from rounds import start
 from tqdm import tqdm
 
 from plastigran import laws
-from plastigran.engine.contacts import read_contacts
 from plastigran.engine.process import PROJECT, EngineError, command, engine_path, environment
 
 HERE = Path(__file__).resolve().parent
@@ -53,7 +53,7 @@ COUNTED = (
 def contact_steps(bed: Path, shape: str) -> int:
     """Return the number of contacts with force, summed over the steps; equal for all laws."""
     run_bed(REFERENCE, "plastic", bed, STEPS, count_every=1, shape=shape)
-    contacts = read_contacts(WORK / "run" / "contacts.dump")
+    contacts = read_contacts()
     # The setup of the second run computes the contacts of step STEPS again, so count them twice.
     return len(contacts) + len(contacts.query("step == @STEPS"))
 

@@ -40,7 +40,7 @@ from size_beds import widen
 
 from plastigran import laws
 from plastigran.cli.arguments import positive_integer
-from plastigran.engine.contacts import read_contacts
+from plastigran.engine.dumps import read_dump
 from plastigran.engine.process import PROJECT, EngineError, engine_path, run_deck
 from plastigran.plot.style import save
 
@@ -173,6 +173,16 @@ def pair_times(log: str) -> list[float]:
     return times
 
 
+def read_contacts() -> pd.DataFrame:
+    """Return step, normal force and first value of the history of each contact with force.
+
+    LIGGGHTS also lists neighbors without contact.
+    """
+    table = read_dump(WORK / "run" / "contacts.dump")
+    table.columns = ["step", "fnx", "fny", "fnz", "history"]
+    return table[(table[["fnx", "fny", "fnz"]] != 0).any(axis=1)]
+
+
 def count_contacts(
     law: str, state: str, bed: Path, steps: int, shape: str = "sphere"
 ) -> dict[str, object]:
@@ -181,8 +191,8 @@ def count_contacts(
     The state of the law comes first in the contact history, and is zero until first yield.
     """
     run_bed(law, state, bed, steps, count_every=steps, shape=shape)
-    contacts = read_contacts(WORK / "run" / "contacts.dump").query("step == @steps")
-    share = 0.0 if law == REFERENCE else (contacts["history_1"] > 0).mean()
+    contacts = read_contacts().query("step == @steps")
+    share = 0.0 if law == REFERENCE else (contacts["history"] > 0).mean()
     return {"state": state, "law": law, "contacts": len(contacts), "plastic_share": share}
 
 

@@ -7,11 +7,9 @@ import re
 from pathlib import Path
 
 import numpy as np
-import pandas as pd
 import pytest
 
-from plastigran.engine.contacts import contact_columns, read_contacts
-from plastigran.engine.dumps import DumpError, TruncatedFileWarning, read_dump, read_frames
+from plastigran.engine.dumps import DumpError, TruncatedFileWarning, read_dump
 from plastigran.engine.log import read_thermo
 from plastigran.engine.process import inputs_folder, run_deck
 from plastigran.experiments.collision import CollisionError, measure
@@ -43,33 +41,24 @@ def test_the_columns_of_a_dump_are_those_of_the_deck(pair_run):
 
 def test_pair_contacts_match_the_trajectory(pair_run):
     """Overlap and force of the contact dump agree with the trajectory."""
-    contacts = read_contacts(pair_run / "contacts.dump").set_index("step")
-    assert {"x_i", "id_j", "periodic", "fx", "overlap"} <= set(contacts.columns)
+    contacts = read_dump(pair_run / "contacts.dump").set_index("step")
+    assert list(contacts.columns) == [f"contacts[{k}]" for k in range(1, 14)]
     atom = read_dump(pair_run / "trajectory.dump").query("id == 1").set_index("step")
     loop = measure(pair_run / "trajectory.dump").loop
-    shared = atom.index[(loop["force"] > 0).to_numpy()]
+    touching = (loop["force"] > 0).to_numpy()
+    shared = atom.index[touching]
     assert np.isin(shared, contacts.index).all()
-    found = contacts.loc[shared]
-    assert found["fx"].abs().to_numpy() == pytest.approx(atom.loc[shared, "fx"].abs().to_numpy())
-    assert found["overlap"].to_numpy() == pytest.approx(
-        loop["overlap"].to_numpy()[loop["force"].to_numpy() > 0], rel=1e-9
-    )
-
-
-def test_near_walls_are_left_out_by_default(mesh_run):
-    """LIGGGHTS also lists walls just out of contact, because the models request them."""
-    touching = read_contacts(mesh_run / "contacts.dump")
-    every = read_contacts(mesh_run / "contacts.dump", touching=False)
-    assert len(every) > len(touching)
-    assert (touching["overlap"] > 0).all()
+    force, overlap = contacts.loc[shared, "contacts[10]"], contacts.loc[shared, "contacts[13]"]
+    assert force.abs().to_numpy() == pytest.approx(atom.loc[shared, "fx"].abs().to_numpy())
+    assert overlap.to_numpy() == pytest.approx(loop["overlap"].to_numpy()[touching], rel=1e-9)
 
 
 def test_wall_contacts(mesh_run):
-    contacts = read_contacts(mesh_run / "contacts.dump")
-    assert {"contact_x", "mesh_id", "triangle_id", "id", "overlap"} <= set(contacts.columns)
-    assert (contacts["id"] == 1).all()
-    assert contacts["contact_x"].to_numpy() == pytest.approx(0, abs=1e-12)
-    assert contacts["fx"].max() == pytest.approx(measure(mesh_run / "trajectory.dump").force_max)
+    contacts = read_dump(mesh_run / "contacts.dump")
+    assert (contacts["contacts[9]"] == 1).all()  # ID of the sphere
+    assert contacts["contacts[1]"].to_numpy() == pytest.approx(0, abs=1e-12)  # contact point
+    force = contacts["contacts[10]"]
+    assert force.max() == pytest.approx(measure(mesh_run / "trajectory.dump").force_max)
 
 
 @pytest.mark.parametrize("part", ["pair_contacts.in", "wall_contacts.in"])
@@ -79,34 +68,6 @@ def test_labels_repeat_the_fields_of_the_compute(part):
     kind, *labelled = re.search(r'label "(.*?)"', text)[1].split()
     assert labelled == fields
     assert kind.lower() in part
-    assert len(contact_columns(kind, fields, 13)) == 13
-
-
-def test_fields_may_be_given_for_unlabelled_files(pair_run, tmp_path):
-    plain = tmp_path / "plain.dump"
-    text = (pair_run / "contacts.dump").read_text()
-    plain.write_text(text.replace("PAIR pos id force delta", "ENTRIES"))
-    labelled = read_contacts(pair_run / "contacts.dump")
-    assert read_contacts(plain, "PAIR", "delta force id pos").equals(labelled)
-    with pytest.raises(DumpError, match=r"does not name the columns\. Pass the arguments kind"):
-        read_contacts(plain)
-    with pytest.raises(DumpError, match="give 10 columns, but the file has 13"):
-        read_contacts(plain, "PAIR", "pos id delta")
-
-
-@pytest.mark.parametrize("batch", [1, 5, 1000])
-def test_frames_are_the_whole_table_in_parts(pair_run, batch, monkeypatch):
-    monkeypatch.setattr("plastigran.engine.dumps.BATCH", batch)
-    frames = list(read_frames(pair_run / "trajectory.dump"))
-    assert all(len(frame) == 2 and frame["step"].nunique() == 1 for frame in frames)
-    whole = read_dump(pair_run / "trajectory.dump")
-    assert (pd.concat(frames).to_numpy() == whole.to_numpy()).all()
-
-
-def test_history_fills_the_columns_left():
-    names = contact_columns("PAIR", ["id", "history", "delta"], 8)
-    assert names == ["id_i", "id_j", "periodic", "history_1", "history_2", "history_3", "history_4",
-                     "overlap"]  # fmt: skip
 
 
 def test_thermo(pair_run):

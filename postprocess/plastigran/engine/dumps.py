@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Read dumps of LIGGGHTS, completely or frame by frame.
+"""Read dumps of LIGGGHTS.
 
-Every reader returns a pandas DataFrame in SI units with one row per item and time step. Columns
-have the names of the file. A full disk or a killed run may truncate a file. The readers then return
-the complete frames, with a `TruncatedFileWarning`.
+A full disk or a killed run may truncate a file. The reader then returns the complete frames, with a
+`TruncatedFileWarning`.
 """
 
 from __future__ import annotations
@@ -17,8 +16,6 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-#: Smallest number of rows that are read at a time.
-BATCH = 100_000
 #: Prefixes of columns from computes, fixes and variables.
 PREFIXES = ("c_", "f_", "v_")
 
@@ -34,7 +31,6 @@ class TruncatedFileWarning(UserWarning):
 @dataclass
 class _Frame:
     step: int
-    label: str
     columns: list[str]
     rows: list[str]
 
@@ -65,14 +61,14 @@ def _frames(path: Path) -> Iterator[_Frame]:
                 take("ITEM: BOX BOUNDS")
                 for _ in range(3):
                     take()
-                label, columns = _label_and_columns(take("ITEM:"))
-                yield _Frame(step, label, columns, [take() for _ in range(count)])
+                columns = _columns(take("ITEM:"))
+                yield _Frame(step, columns, [take() for _ in range(count)])
         except EOFError:
             place = "its header" if step is None else f"the frame of step {step}"
             warnings.warn(
                 f"{path} ends within {place}. Only the frames before it were read",
                 TruncatedFileWarning,
-                stacklevel=4,
+                stacklevel=3,
             )
         except DumpError:
             raise
@@ -80,51 +76,34 @@ def _frames(path: Path) -> Iterator[_Frame]:
             raise DumpError(f"{path}: a frame header is unreadable ({error})") from error
 
 
-def _label_and_columns(header: str) -> tuple[str, list[str]]:
-    """Return label and columns from a frame header; a label may have several words."""
+def _columns(header: str) -> list[str]:
+    """Return the columns from a frame header. The label of a local dump may have several words."""
     label, *words = header.removeprefix("ITEM:").split()
     first = 0
     while label != "ATOMS" and first < len(words) and words[first][:2] not in PREFIXES:
         first += 1
-    return " ".join([label, *words[:first]]), words[first:]
+    return words[first:]
 
 
-def read_tables(
-    path: str | Path, rows: int | None
-) -> Iterator[tuple[str, list[int], pd.DataFrame]]:
-    """Read complete frames in parts of at least `rows` rows; all in one part if `rows` is None.
+def read_dump(path: str | Path) -> pd.DataFrame:
+    """Read a `dump custom` or `dump local` file.
+
+    Returns:
+        One row per item and frame, (N_frames * N_items, 1 + N_columns), in SI units: `step`, then
+        the columns of the dump, without the prefixes `c_`, `f_` and `v_` of computes, fixes and
+        variables.
 
     Raises:
-        DumpError: The columns change, rows have different lengths, or no frame is complete.
-
-    Yields:
-        Label of the dump, number of rows of each frame, and table of the frames.
+        DumpError: The file is not a dump, no frame is complete, the columns change, or rows have
+            different lengths.
     """
-    columns: list[str] = []
-    batch: list[_Frame] = []
-    count = 0
-    for frame in _frames(Path(path)):
-        if columns and frame.columns != columns:
-            raise DumpError(f"{path}: the columns change at step {frame.step}")
-        columns = frame.columns
-        batch.append(frame)
-        count += len(frame.rows)
-        if rows is not None and count >= rows:
-            yield _table(path, batch)
-            batch, count = [], 0
-    if not columns:
+    frames = list(_frames(Path(path)))
+    if not frames:
         raise DumpError(f"{path} contains no complete frame")
-    if batch:
-        yield _table(path, batch)
-
-
-def _table(path: str | Path, frames: list[_Frame]) -> tuple[str, list[int], pd.DataFrame]:
-    """Return label, row counts and table of some frames, with the step in the first column.
-
-    Raises:
-        DumpError: Rows have different lengths.
-    """
-    columns, counts = frames[0].columns, [len(frame.rows) for frame in frames]
+    columns = frames[0].columns
+    for frame in frames:
+        if frame.columns != columns:
+            raise DumpError(f"{path}: the columns change at step {frame.step}")
     rows = [row for frame in frames for row in frame.rows]
     try:
         table = pd.read_csv(
@@ -136,50 +115,18 @@ def _table(path: str | Path, frames: list[_Frame]) -> tuple[str, list[int], pd.D
         )
     except (pd.errors.ParserError, ValueError) as error:
         raise DumpError(f"{path}: {error}") from error
-    steps = np.repeat(np.array([frame.step for frame in frames], dtype=np.int64), counts)
+    steps = np.repeat(
+        np.array([frame.step for frame in frames], dtype=np.int64),
+        [len(frame.rows) for frame in frames],
+    )
     for row in np.flatnonzero(table.isna().any(axis=1)):
         if "nan" not in rows[row]:
             raise DumpError(
                 f"{path}: a row of step {steps[row]} has fewer than {len(columns)} columns"
             )
     table.insert(0, "step", steps)
-    return frames[0].label, counts, table
+    return table.rename(columns=_without_prefix)
 
 
 def _without_prefix(name: str) -> str:
     return name[2:] if name[:2] in PREFIXES else name
-
-
-def read_dump(path: str | Path) -> pd.DataFrame:
-    """Read a `dump custom` file.
-
-    Returns:
-        One row per atom and frame, (N_frames * N_atoms, 1 + N_columns): `step`, then the columns of
-        the dump, without the prefixes `c_`, `f_` and `v_` of computes, fixes and variables.
-
-    Raises:
-        DumpError: The file is not a dump, or its rows have different lengths.
-    """
-    ((_, _, table),) = read_tables(path, None)
-    return table.rename(columns=_without_prefix)
-
-
-def read_frames(path: str | Path) -> Iterator[pd.DataFrame]:
-    """Read a `dump custom` file frame by frame; the file may be larger than the memory.
-
-    Yields:
-        One frame, (N_atoms, 1 + N_columns), with the columns of `read_dump`. A column may have
-        integers in one frame and floats in another.
-
-    Raises:
-        DumpError: As for `read_dump`.
-    """
-    for _, counts, table in read_tables(path, BATCH):
-        yield from split_frames(table.rename(columns=_without_prefix), counts)
-
-
-def split_frames(table: pd.DataFrame, counts: list[int]) -> Iterator[pd.DataFrame]:
-    """Split the table of several frames into tables of single frames with `counts` rows."""
-    ends = np.cumsum(counts)
-    for first, end in zip(ends - counts, ends, strict=True):
-        yield table.iloc[first:end].reset_index(drop=True)
