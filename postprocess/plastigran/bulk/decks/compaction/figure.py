@@ -29,13 +29,13 @@ def compaction_figure(runs: dict[str, pd.DataFrame], yield_strengths: list[float
             loops.plot(density, pressure, **line)
             loading = slice(0, int(np.argmax(pressure)) + 1)
             heckel.plot(pressure[loading], -np.log1p(-density[loading]), **line)
-            fit = heckel_line(density, table["pressure"])
+            slope, intercept = heckel_line(density, table["pressure"])
             ends = np.array(STRAIGHT) * pressure.max()
-            fitted = fit.intercept + fit.slope * ends * 1e3
+            fitted = intercept + slope * ends * 1e3
             heckel.plot(ends, fitted, "o:", color=colour, mfc="white")
-            slope = 1e3 / (3 * strength)
-            if slope * pressure.max() > 0.01:
-                heckel.plot(ends, fitted[0] + slope * (ends - ends[0]), "--", **dashes)
+            ideal = 1e3 / (3 * strength)
+            if ideal * pressure.max() > 0.01:
+                heckel.plot(ends, fitted[0] + ideal * (ends - ends[0]), "--", **dashes)
         densities = pd.concat([table["relative_density"] for table in runs.values()])
         pressures = pd.concat([table["pressure"] for table in runs.values()])
         touched = densities[pressures > 0].min()
