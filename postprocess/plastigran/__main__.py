@@ -9,6 +9,7 @@ import sys
 
 def start() -> int:
     """Run the command and return its exit code, also if Ctrl-C interrupts the import of modules."""
+    # Handle SIGTERM, which batch systems send to stop a job, like Ctrl-C.
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:
         # Import this slow module here, so that Ctrl-C during the import is handled.

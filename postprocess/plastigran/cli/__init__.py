@@ -4,13 +4,10 @@
 from __future__ import annotations
 
 import argparse
-import signal
 import sys
-import threading
 import traceback
 import warnings
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from errno import EDQUOT, EFBIG, ENOSPC
 from importlib import import_module
 from importlib.metadata import version
@@ -73,7 +70,7 @@ def main(argv: list[str] | None = None) -> int:
     words = sys.argv[1:] if argv is None else argv
     arguments = parser(*words[:1]).parse_args(words)
     try:
-        with _terminate_as_interrupt(), warnings.catch_warnings():
+        with warnings.catch_warnings():
             warnings.showwarning = _print_once()
             arguments.run(arguments)
     except BrokenPipeError:  # the program that reads our output has ended
@@ -101,23 +98,6 @@ def _print_once() -> Callable[..., None]:
             print(f"plastigran: {text}", file=sys.stderr)
 
     return show
-
-
-@contextmanager
-def _terminate_as_interrupt() -> Iterator[None]:
-    """Handle SIGTERM, which batch systems send to stop a job, like Ctrl-C.
-
-    Outside the main thread, the context manager has no effect, because Python handles signals only
-    in the main thread.
-    """
-    if threading.current_thread() is not threading.main_thread():
-        yield
-        return
-    before = signal.signal(signal.SIGTERM, signal.default_int_handler)
-    try:
-        yield
-    finally:
-        signal.signal(signal.SIGTERM, before)
 
 
 def _report(error: Exception, arguments: argparse.Namespace) -> int:
