@@ -123,7 +123,6 @@ class StrikeLog:
             "kinetic_energy": float(now.velocity @ (self.body.mass_matrix @ now.velocity)) / 2,
             **energies(self.body, state),
             "friction_work": before + touch.dissipated,
-            "iterations": state.iterations,
         }
 
     def _yield_point(self, state: Equilibrium, row: dict[str, float]) -> np.ndarray:

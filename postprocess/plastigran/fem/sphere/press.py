@@ -53,7 +53,6 @@ class ForceControl:
                     "approach": self.now.height,
                     "contact_radius": self.now.touch.contact_radius,
                     **energies(self.equations.body, self.now),
-                    "iterations": self.now.iterations,
                 }
             )
             bar.update()

@@ -73,7 +73,6 @@ class Throw:
         overlap_max: Largest approach, m.
         overlap_res: Approach at the end of contact, m.
         contact_time: Duration of the contact, s.
-        snapshot: Fields at the end of contact.
         snapshots: Fields by time, s: `Settings.frames` snapshots per duration of a Hertz impact.
         stopped: Reason of an early end; otherwise empty. After an early end, the values at the end
             are NaN.
@@ -90,7 +89,6 @@ class Throw:
     overlap_max: float
     overlap_res: float
     contact_time: float
-    snapshot: Snapshot
     snapshots: dict[float, Snapshot]
     stopped: str = ""
     plane: ElasticPlastic | None = None

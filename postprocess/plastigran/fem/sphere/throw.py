@@ -87,7 +87,6 @@ def throw(
         overlap_max=float(approach.max()),
         overlap_res=float(np.interp(end, time, approach)),
         contact_time=float(end - start),
-        snapshot=snapshot(body, contact, flight.now.state),
         snapshots=fields,
         stopped=stopped,
     )
@@ -108,5 +107,4 @@ def _row(flight: Flight) -> dict[str, float]:
         "contact_radius": now.state.touch.contact_radius,
         "kinetic_energy": float(now.velocity @ momentum) / 2,
         **energies(body, now.state),
-        "iterations": now.state.iterations,
     }

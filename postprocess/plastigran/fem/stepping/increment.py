@@ -35,14 +35,12 @@ class Equilibrium:
         height: Height of the plane, m.
         response: Material response.
         touch: Contact state.
-        iterations: Newton iterations used.
     """
 
     displacement: np.ndarray
     height: float
     response: Response
     touch: Touch
-    iterations: int = 0
 
 
 @attrs.frozen
@@ -105,7 +103,7 @@ class Equations:
         """
         body = self.body
         displacement, height = guess
-        for iteration in range(ITERATIONS):
+        for _ in range(ITERATIONS):
             response = self._respond(displacement, start.response.state)
             touch = self.contact.touch(displacement, height)
             if touch.force == 0:
@@ -115,7 +113,7 @@ class Equations:
             excess = force - touch.force
             balanced = np.max(np.abs(residual)) <= TOLERANCE * np.max(np.abs(touch.nodal))
             if balanced and abs(excess) <= FORCE_TOLERANCE * force:
-                return Equilibrium(displacement, height, response, touch, iteration)
+                return Equilibrium(displacement, height, response, touch)
             change = self._bordered(
                 body.stiffness(displacement, response), touch.stiffness, -residual, excess
             )
@@ -174,10 +172,10 @@ class Equations:
             return self._balance(displacement, start, inertia)
 
         displacement, balance = guess, forces(guess)
-        for iteration in range(ITERATIONS):
+        for _ in range(ITERATIONS):
             if np.max(np.abs(balance.residual)) <= TOLERANCE * balance.scale:
                 response, touch = balance.response, balance.touch
-                return Equilibrium(displacement, start.height, response, touch, iteration)
+                return Equilibrium(displacement, start.height, response, touch)
             matrices = self._matrices(displacement, balance, 4 / inertia.timestep**2)
             change = self._factor(matrices).solve(-balance.residual)
             displacement, balance = self._step(displacement, change, balance, forces)
