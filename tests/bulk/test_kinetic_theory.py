@@ -108,22 +108,3 @@ def test_statistical_error_goes_with_the_number_of_grains():
     assert impacts.max() < 0.1
     # The tolerance of 5 % covers cooling, which reduces the effect of the first losses.
     assert errors[0] ** 2 == pytest.approx(impacts / 1000 * 4 / 9, rel=0.05)
-
-
-@pytest.mark.parametrize(
-    ("change", "message"),
-    [
-        ({"radius": -1.0}, "radius is -1.0 m"),
-        ({"volume_fraction": 0.6}, "volume_fraction is 0.6; it must lie between 0 and 0.494"),
-        ({"count": 1}, "count is 1; a gas needs 2"),
-    ],
-)
-def test_impossible_gases_are_refused(change, message):
-    grains = {"radius": RADIUS, "volume_fraction": 0.1, "restitution": yielding, "count": 10}
-    with pytest.raises(ValueError, match=message):
-        Gas(**grains | change)
-
-
-def test_impossible_temperature_is_refused():
-    with pytest.raises(ValueError, match="temperature is 0"):
-        cool(Gas(RADIUS, 0.1, yielding, 10), 0.0, [0.0, 1.0])

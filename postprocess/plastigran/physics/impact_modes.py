@@ -29,7 +29,7 @@ def impact_modes(
         Rows and columns of `sphere_modes`.
 
     Raises:
-        ValueError: A constant is out of range.
+        ValueError: Poisson's ratio is out of range.
         ArithmeticError: Two spheroidal modes are too close to separate.
     """
     by_degree, overtones = [], 1

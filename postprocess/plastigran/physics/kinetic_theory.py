@@ -50,26 +50,12 @@ class Gas:
         volume_fraction: Volume fraction of the grains [-], between 0 and `FREEZING`.
         restitution: Coefficient of restitution as a function of normal impact speed.
         count: Number of grains, for the statistical error [-].
-
-    Raises:
-        ValueError: A value is out of range.
     """
 
     radius: float
     volume_fraction: float
     restitution: Restitution
     count: int
-
-    def __post_init__(self) -> None:
-        if not 0 < self.radius < float("inf"):
-            raise ValueError(f"radius is {self.radius} m; it must be positive and finite")
-        if not 0 < self.volume_fraction < FREEZING:
-            raise ValueError(
-                f"volume_fraction is {self.volume_fraction}; it must lie between 0 and {FREEZING}, "
-                "where hard spheres freeze"
-            )
-        if self.count < 2:
-            raise ValueError(f"count is {self.count}; a gas needs 2 or more grains")
 
     def collision_rate(self, temperature: ArrayLike) -> np.ndarray:
         """Return the collisions of a grain per second, 4 n d^2 chi sqrt(pi T) [1/s].
@@ -122,12 +108,7 @@ def cool(gas: Gas, temperature: float, times: ArrayLike) -> pd.DataFrame:
     Returns:
         N rows with the columns `time` [s], `temperature` [m^2/s^2], `temperature_error` [-]
         (relative standard deviation) and `collisions` [-] (accumulated per grain).
-
-    Raises:
-        ValueError: The temperature is not positive.
     """
-    if not 0 < temperature < float("inf"):
-        raise ValueError(f"temperature is {temperature} m^2/s^2; it must be positive and finite")
     times = np.asarray(times, dtype=float)
 
     logarithm = np.log(temperature) + np.linspace(_DEEPEST, 0.1, 400)

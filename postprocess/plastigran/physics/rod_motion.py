@@ -43,8 +43,6 @@ class RodMotion:
                 f"{law.name} depends on the overlap rate, which the equations of motion of the rod "
                 "do not include"
             )
-        if not 0 < speed < inf:
-            raise ValueError(f"speed is {speed}; it must be positive and finite")
         self.rod, self.spring = rod, shear_modulus_eff is not None
         self.law = law.at_impact(rod.tip_radius, speed)
         self.half, self.lean = rod.length / 2, radians(rod.angle)
