@@ -16,6 +16,7 @@ import pandas as pd
 
 from plastigran.declared import declarations
 from plastigran.engine.process import inputs_folder, run_deck, typed_command
+from plastigran.engine.versions import HOSTS
 from plastigran.experiments.fields import Flag, several
 from plastigran.experiments.runs import Runs, sweep
 from plastigran.experiments.tables import format_range, format_table
@@ -50,8 +51,8 @@ class Experiment:
         host: Program that runs the deck, one of `plastigran.engine.versions.HOSTS`.
         deck: Path of the input script, relative to the folder of input scripts.
         shape: Shape of the bodies, "sphere" or "cylinder".
-        has_theory: Whether `theory` can run the study without LIGGGHTS.
-        flags: Settings of the study by name; by default the declared fields.
+        has_theory: Whether `theory` can compute the impacts without LIGGGHTS.
+        flags: Settings of the command by name; by default the declared fields.
         quantities: Attributes of the outcome that become table columns.
         shown: Columns that are printed; by default all.
     """
@@ -133,12 +134,13 @@ class Experiment:
 
     def command_line(self, folder: Path) -> str:
         """Return shell commands that run the deck with results in `folder`."""
-        return typed_command(inputs_folder() / self.deck, self._deck_variables(), folder, folder)
+        deck, host = inputs_folder() / self.deck, HOSTS[self.host]
+        return typed_command(deck, self._deck_variables(), folder, folder, host=host)
 
     def run(
         self, folder: str | Path, timestep: float | None = None, ranks: int = 1, **variables: object
     ) -> Any:
-        """Run the deck with LIGGGHTS and measure the outcome.
+        """Run the deck and measure the outcome.
 
         Args:
             folder: Folder of the results.
@@ -148,10 +150,11 @@ class Experiment:
                 the surfaces [m].
 
         Raises:
-            EngineError: LIGGGHTS stopped with an error.
+            EngineError: The host stopped with an error.
             ValueError: The files do not contain a complete outcome.
         """
-        run_deck(self.deck, self._deck_variables(timestep) | variables, folder, ranks=ranks)
+        settings = self._deck_variables(timestep) | variables
+        run_deck(self.deck, settings, folder, ranks, host=HOSTS[self.host])
         return self.measure(Path(folder))
 
     @classmethod

@@ -18,9 +18,8 @@ from time import monotonic
 import attrs
 
 from plastigran.cli.arguments import add_json, print_json
-from plastigran.engine.lammps import lammps_path, plugin_path, run_lammps
-from plastigran.engine.log import LOG
 from plastigran.engine.process import EngineError, engine_path, inputs_folder
+from plastigran.engine.versions import HOSTS, versions
 from plastigran.experiments.central import CentralImpact
 
 HELP = "check the installation with an impact of a sphere"
@@ -106,27 +105,16 @@ def examine() -> Iterator[Finding]:
 
 
 def lammps() -> Finding:
-    """Check LAMMPS, which is optional, by a collision of two spheres with the plugin."""
+    """Check LAMMPS, which is optional, by an impact of a sphere with the plugin."""
     try:
-        lammps_path()
-        plugin_path()
+        versions("lammps")
     except EngineError as error:
         remedy = "needed by plastigran lammps. Run `./run setup`"
         return Finding("LAMMPS", "without", str(error).partition(". ")[0], remedy)
-    case = CentralImpact("thornton", 0.1, "steel", 5e-3, "two_spheres")
-    expected = case.predict().coefficient_of_restitution
-    settings = {"law": case.law, "radius": case.radius, "speed": case.speed, "step": case.timestep}
     try:
-        with TemporaryDirectory() as folder:
-            log = run_lammps(inputs_folder() / "lammps" / "two_spheres.in", settings, Path(folder))
-    except EngineError as error:
-        return Finding("LAMMPS", "lacks", str(error), "build the plugin again with ./run setup")
-    restitution = float(re.findall(r"^restitution ([\d.]+)", log, re.MULTILINE)[-1])
-    text = f"restitution {restitution:.5f}, by theory {expected:.5f}"
-    if abs(restitution / expected - 1) > TOLERANCE:
-        return Finding("LAMMPS", "lacks", text, "build the plugin again with ./run setup")
-    release = re.findall(r"^LAMMPS \((.*?)(?: - .*)?\)", log)[0]
-    return Finding("LAMMPS", "ok", f"{release}: {text}")
+        return Finding("LAMMPS", "ok", _collide(1, "lammps"))
+    except Lacking as error:
+        return Finding("LAMMPS", "lacks", *error.args)
 
 
 def libraries() -> Finding:
@@ -191,13 +179,13 @@ def _mpi() -> str:
     return f"{done.stdout.strip().splitlines()[0]}; {_collide(2)}"
 
 
-def _collide(ranks: int) -> str:
+def _collide(ranks: int, host: str = "liggghts") -> str:
     """Run an impact of a sphere on a plane and compare it with theory.
 
     Raises:
         Lacking: The impact does not run, or its restitution differs from theory.
     """
-    case = CentralImpact("thornton", 0.1, "steel", 5e-3)
+    case = CentralImpact("thornton", 0.1, "steel", 5e-3, host=host)
     expected, start = case.predict().coefficient_of_restitution, monotonic()
     with TemporaryDirectory() as folder:
         try:
@@ -206,14 +194,14 @@ def _collide(ranks: int) -> str:
             raise Lacking(
                 str(error), "if a library has another version than before, run `./run setup` again"
             ) from None
-        head = (Path(folder) / LOG).read_text(errors="replace").partition("\n")[0]
+        head = (Path(folder) / HOSTS[host].log).read_text(errors="replace").partition("\n")[0]
     if abs(restitution / expected - 1) > TOLERANCE:
         raise Lacking(
             f"restitution {restitution:.5f}, by theory {expected:.5f}",
             "plugin and Python package differ in version; run `./run setup` again",
         )
-    engine = head.removeprefix("LIGGGHTS (Version ").split(",")[0]
+    release = re.split(r" - |[,)]", head.partition("(")[2])[0].removeprefix("Version ")
     return (
-        f"{engine}: restitution {restitution:.5f}, by theory {expected:.5f}, "
+        f"{release}: restitution {restitution:.5f}, by theory {expected:.5f}, "
         f"on {ranks} rank{'s' * (ranks > 1)}, in {monotonic() - start:.1f} s"
     )

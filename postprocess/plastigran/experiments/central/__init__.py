@@ -14,11 +14,8 @@ import pandas as pd
 
 from plastigran import laws
 from plastigran.declared import Declaration, radius_field, speed_field, word
-from plastigran.engine.lammps import LAMMPS, run_lammps
-from plastigran.engine.process import typed_command
 from plastigran.engine.versions import HOSTS
 from plastigran.experiments.base import Experiment, combinations
-from plastigran.experiments.central import in_lammps
 from plastigran.experiments.central.arrangement import run_label
 from plastigran.experiments.central.remarks import remarks
 from plastigran.experiments.collision import CollisionOutcome, measure
@@ -42,6 +39,7 @@ from plastigran.materials import (
     Material,
     can_adhere,
     has_surface_energy,
+    law_class,
     material_field,
     surface_energy_field,
 )
@@ -54,6 +52,8 @@ if TYPE_CHECKING:
 
 #: Geometries: name of the deck, and number of spheres (1: sphere and wall).
 GEOMETRIES = {"sphere_wall": 1, "sphere_mesh": 1, "two_spheres": 2}
+#: Geometries of the deck for LAMMPS.
+LAMMPS_GEOMETRIES = ("sphere_wall", "two_spheres")
 
 #: Impact speeds [m/s] of `plastigran demo` and of a figure in the docs, for the sphere of Zhang &
 #: Vu-Quoc (2002): aluminium_zv02, radius 0.1 m. The highest is 120 times its yield speed.
@@ -130,10 +130,10 @@ class CentralImpact(Experiment):
                 f"law {self.law} needs surface_energy, which material {self.material.name} does "
                 "not define. Give surface_energy, add it to the material, or use another law"
             )
-        if self.host == "lammps" and self.geometry not in in_lammps.GEOMETRIES:
+        if self.host == "lammps" and self.geometry not in LAMMPS_GEOMETRIES:
             raise ValueError(
                 f"geometry is {self.geometry}; in LAMMPS, it must be one of: "
-                f"{', '.join(in_lammps.GEOMETRIES)}"
+                f"{', '.join(LAMMPS_GEOMETRIES)}"
             )
         if self.wall is not None and self.bodies == 2:
             raise ValueError(f"wall is {self.wall.name}, but {self.geometry} has no wall")
@@ -221,7 +221,7 @@ class CentralImpact(Experiment):
     @property
     def deck(self) -> str:
         """Path of the input script, relative to `inputs`."""
-        return f"collision/{self.geometry}.in"
+        return "lammps/impact.in" if self.host == "lammps" else f"collision/{self.geometry}.in"
 
     @property
     def label(self) -> str:
@@ -242,28 +242,21 @@ class CentralImpact(Experiment):
 
     def variables(self) -> dict[str, object]:
         variables = super().variables()
-        del variables["geometry"]  # selects the deck, and is not a variable in the deck
         del variables["host"]
         if self.surface_energy is None:
             variables["surface_energy"] = self.material.surface_energy
         if self.surface_energy is not None and self.law in laws.ADHESIVE_LAWS:
             variables["options"] = f"{self.options or ''} adhesion jkr".strip()
-        return variables
-
-    def command_line(self, folder: Path) -> str:
         if self.host == "lammps":
-            settings = in_lammps.variables(self)
-            return typed_command(in_lammps.deck(), settings, folder, folder, host=LAMMPS)
-        return super().command_line(folder)
-
-    def run(
-        self, folder: str | Path, timestep: float | None = None, ranks: int = 1, **variables: object
-    ) -> CollisionOutcome:
-        if self.host != "lammps":
-            return super().run(folder, timestep, ranks, **variables)
-        settings = in_lammps.variables(self, timestep) | variables
-        run_lammps(in_lammps.deck(), settings, Path(folder), ranks)
-        return self.measure(Path(folder))
+            # In LAMMPS, a law takes its constants and options in one list.
+            law = law_class(self.law, adhesive=self.surface_energy is not None)
+            names = [parameter["name"] for parameter in law.parameters()]
+            given = [name for name in names if variables.get(name) is not None]
+            words = [f"{name} {variables[name]}" for name in given]
+            words += filter(None, [variables.pop("options")])
+            return variables | {"constants": " ".join(words) or None}
+        del variables["geometry"]  # the other decks have one geometry each
+        return variables
 
     def predict(self) -> CollisionOutcome:
         """Return the outcome that the law predicts without LIGGGHTS."""

@@ -68,7 +68,7 @@ class CylinderImpact(CentralImpact):
 
     def __attrs_post_init__(self) -> None:
         if self.wall is not None:
-            raise ValueError(f"wall is {self.wall.name}, but the wall of a cylinder must be rigid")
+            raise ValueError(f"wall is {self.wall.name}, but a cylinder must hit a rigid wall")
         self.yield_speed()  # raises an error for a body that is too thin
         super().__attrs_post_init__()
 
