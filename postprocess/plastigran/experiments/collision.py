@@ -135,7 +135,8 @@ def measure_loop(loop: pd.DataFrame) -> CollisionOutcome:
             f"the bodies are still in contact in the last frame (t = {time[-1]:g} s). "
             "Increase the duration of the run"
         )
-    touch = _crossing(time, overlap, speed, start - 1, 0.0)
+    before = start - 1
+    touch = time[before] - overlap[before] / speed[before]
     turning_time, overlap_max = _turning_point(time, overlap, speed, turn - 1)
 
     pressed = turn + int(np.argmin(np.append(force[turn:], 0) > 0)) - 1  # last repulsive frame
@@ -158,11 +159,6 @@ def measure_loop(loop: pd.DataFrame) -> CollisionOutcome:
         contact_time=nan if stuck else release - touch,
         loop=loop,
     )
-
-
-def _crossing(time, value, rate, k: int, level: float) -> float:
-    """Return the time at which `value` crosses `level`, extrapolated linearly from frame k."""
-    return time[k] + (level - value[k]) / rate[k]
 
 
 def _residual(overlap, force) -> float:
