@@ -109,18 +109,8 @@ class BulkDeck:
         whole("1: write contact histories to the frames; 0: do not", upper=1)
     )
     rows: int = whole("number of log lines", 1)
-    checkpoints: int = whole("number of restart files, a divisor of rows", 1)
+    checkpoints: int = whole("number of restart files, a divisor of the setting rows", 1)
     ledger: str = word("energy balance", ("on", "off"))
-
-    def __init_subclass__(cls) -> None:
-        """Reject a setting with the name of an inherited property or method, such as `grains`."""
-        for name in cls.__annotations__:
-            inherited = getattr(super(cls, cls), name, None)
-            if isinstance(inherited, property) or callable(inherited):
-                raise TypeError(
-                    f"{cls.__name__}: the setting name {name} is an attribute of all decks. "
-                    "Choose another name"
-                )
 
     def __attrs_post_init__(self) -> None:
         self.check()

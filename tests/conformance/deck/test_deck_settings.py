@@ -111,8 +111,3 @@ def test_broken_record_is_refused(record, tmp_path):
     (tmp_path / "run.json").write_text(record)
     with pytest.raises(EngineError, match=r"run\.json"):
         open_run(tmp_path)
-
-
-def test_a_setting_hides_nothing_of_a_deck():
-    with pytest.raises(TypeError, match="the setting name grains is an attribute"):
-        attrs.frozen(type("Column", (BulkDeck,), {"__annotations__": {"grains": "int"}}))
