@@ -8,10 +8,10 @@ from math import inf
 import attrs
 
 from plastigran import laws
+from plastigran.calibration.deck_lines import deck_lines
 from plastigran.calibration.drop_test import DropTest
 from plastigran.calibration.expected_errors import ExpectedError
 from plastigran.calibration.finite_elements import PressedSphere
-from plastigran.engine.deck import property_name
 from plastigran.materials import Material
 
 #: Constants of the law `vu_quoc_zhang` that are fitted to finite elements.
@@ -89,24 +89,10 @@ class CalibratedMetal:
         """Return the lines of a deck in which atom type 1 is the metal."""
         names = ["youngs_modulus", "poissons_ratio", "yield_strength"]
         names += [name for name in OPTIONAL if getattr(self.material, name)]
-        lines = [
-            f"fix {name} all property/global {property_name(name)} peratomtype "
-            f"{getattr(self.material, name):.6g}"
-            for name in names
-        ]
-        if self.law == "vu_quoc_zhang" or self.pressed is not None:
-            lines += [
-                f"fix {name} all property/global {property_name(name)} peratomtypepair 1 "
-                f"{value:.6g}  # for vu_quoc_zhang"
-                for name, value in self.constants.items()
-            ]
-        return [
-            *lines,
-            "# Friction is not calibrated: set the coefficient of your pair of materials.",
-            "fix coefficient_friction all property/global "
-            "coefficientFriction peratomtypepair 1 0.3",
-            f"pair_style gran model {self.law} tangential history",
-        ]
+        body = {name: getattr(self.material, name) for name in names}
+        fitted = self.law == "vu_quoc_zhang" or self.pressed is not None
+        pair = self.constants if fitted else {}
+        return deck_lines(f"{self.law} tangential history", body, pair, "  # for vu_quoc_zhang")
 
     @property
     def remark(self) -> str:

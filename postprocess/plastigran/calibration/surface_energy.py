@@ -18,9 +18,9 @@ import attrs
 from scipy.optimize import brentq
 
 from plastigran import laws
+from plastigran.calibration.deck_lines import deck_lines
 from plastigran.contact import Bodylike, Contact
 from plastigran.declared import SPEED, Declaration, read_number
-from plastigran.engine.deck import property_name
 from plastigran.materials import (
     RIGID,
     SURFACE_ENERGY,
@@ -82,20 +82,9 @@ class CalibratedAdhesion:
         law = self.contact.law
         option = " adhesion jkr" if law.name in laws.ADHESIVE_LAWS else ""
         names = ["youngs_modulus", "poissons_ratio", *(["yield_strength"] if law.yields else [])]
-        lines = [
-            f"fix {name} all property/global {property_name(name)} peratomtype "
-            f"{getattr(self.material, name):.6g}"
-            for name in names
-        ]
-        return [
-            *lines,
-            "fix surface_energy all property/global surfaceEnergy peratomtypepair 1 "
-            f"{self.surface_energy:.6g}",
-            "# Friction is not calibrated: set the coefficient of your pair of materials.",
-            "fix coefficient_friction all property/global "
-            "coefficientFriction peratomtypepair 1 0.3",
-            f"pair_style gran model {law.name} tangential history{option}",
-        ]
+        body = {name: getattr(self.material, name) for name in names}
+        pair = {"surface_energy": self.surface_energy}
+        return deck_lines(f"{law.name} tangential history{option}", body, pair)
 
     @property
     def remark(self) -> str:
