@@ -29,6 +29,18 @@ const BodyConstant* body_constant(const std::string& name) {
   return nullptr;
 }
 
+// Returns whether a line gives the constant as `E nu` instead of `name value`.
+bool precedes_names(const BodyConstant& constant) {
+  return constant.value == &Body::youngs_modulus || constant.value == &Body::poissons_ratio;
+}
+
+// Returns a number as text from which to_number() reads the same number.
+std::string exact(double number) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.17g", number);
+  return text;
+}
+
 // Reads the constants of a body from a material file with lines `variable NAME index VALUE`.
 Complaint read_material(const std::string& name, Body& body) {
   std::ifstream file(name);
@@ -46,6 +58,19 @@ Complaint read_material(const std::string& name, Body& body) {
       if (!to_number(value, body.*entry->value)) return not_a_number(constant, value);
   }
   return {};
+}
+
+// Returns the words of a line with the constants of the body instead of its material file.
+std::vector<std::string> words_without_file(const ContactLine& line) {
+  std::vector<std::string> words{line.law, exact(line.body.youngs_modulus),
+                                 exact(line.body.poissons_ratio)};
+  for (const BodyConstant& constant : body_constants)
+    if (!precedes_names(constant))
+      words.insert(words.end(), {constant.name, exact(line.body.*constant.value)});
+  for (const auto& [name, value] : line.law_words) words.insert(words.end(), {name, value});
+  if (!line.viscous.empty()) words.insert(words.end(), {"viscous", line.viscous});
+  words.insert(words.end(), line.models.begin(), line.models.end());
+  return words;
 }
 
 // Returns whether the coefficient of the damping model is a coefficient of restitution.
@@ -74,8 +99,9 @@ Complaint read_tangential(std::vector<std::string>& models, TangentialLine& line
   if (name == PartialSlip<>::name && end != models.end() && *end == "rings") {
     const std::string rings = ++end != models.end() ? *end++ : "";
     double number = 0;
-    if (!to_number(rings, number) || number != static_cast<int>(number) ||
-        number < PartialSlip<>::least_rings || number > PartialSlip<>::most_rings)
+    if (!to_number(rings, number) ||
+        !(number >= PartialSlip<>::least_rings && number <= PartialSlip<>::most_rings) ||
+        number != static_cast<int>(number))
       return Complaint("{rings} is `" + rings + "`; it must be a whole number, 2 to " +
                        std::to_string(PartialSlip<>::most_rings));
     line.rings = static_cast<int>(number);
@@ -112,8 +138,7 @@ Complaint not_a_number(const std::string& name, const std::string& word) {
 std::string body_words() {
   std::string names;
   for (const BodyConstant& constant : body_constants)
-    if (constant.value != &Body::youngs_modulus && constant.value != &Body::poissons_ratio)
-      names += (names.empty() ? "" : " ") + std::string(constant.name);
+    if (!precedes_names(constant)) names += (names.empty() ? "" : " ") + std::string(constant.name);
   return names;
 }
 
@@ -156,6 +181,7 @@ Complaint ContactLine::read(const std::vector<std::string>& line) {
     }
   }
   models.assign(line.begin() + static_cast<std::ptrdiff_t>(at), line.end());
+  if (first == "body") words = words_without_file(*this);
   const Complaint complaint = read_tangential(models, tangential);
   if (!complaint.empty()) return complaint;
   double restitution = 0;
@@ -165,11 +191,9 @@ Complaint ContactLine::read(const std::vector<std::string>& line) {
   return {};
 }
 
-std::vector<std::string> ContactLine::placeholder(double shear_modulus_eff) const {
-  char modulus[32];
-  std::snprintf(modulus, sizeof modulus, "%.17g", equivalent_modulus(shear_modulus_eff));
+std::vector<std::string> ContactLine::placeholder() const {
   const std::string none = is_restitution(models) ? "1" : "0";  // value that switches damping off
-  std::vector<std::string> all{"hertz/material", modulus, viscous.empty() ? none : viscous, "0"};
+  std::vector<std::string> all{"hertz/material", "1", viscous.empty() ? none : viscous, "0"};
   all.insert(all.end(), models.begin(), models.end());
   return all;
 }

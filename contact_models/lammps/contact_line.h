@@ -24,6 +24,10 @@ struct TangentialLine {
   std::string law;  // empty for LAMMPS' own models
   double friction = 0;
   int rings = 0;
+
+  bool operator!=(const TangentialLine& other) const {
+    return law != other.law || friction != other.friction || rings != other.rings;
+  }
 };
 
 struct ContactLine {
@@ -34,19 +38,17 @@ struct ContactLine {
   std::string viscous;  // coefficient of LAMMPS' damping model; empty if not given
   TangentialLine tangential;
   std::vector<std::string> models;  // the words of LAMMPS' own models
-  std::vector<std::string> words;   // all words of the line
+  // All words of the line for restart files. The constants of the body replace `body FILE`, because
+  // the file may change before the restart.
+  std::vector<std::string> words;
 
   // Reads a line. Returns an error message; empty if the line is valid.
   Complaint read(const std::vector<std::string>& line);
 
-  // Returns the words that LAMMPS reads instead of the law: its model `hertz/material`, with a
-  // modulus for which two equal bodies have the given effective shear modulus.
-  std::vector<std::string> placeholder(double shear_modulus_eff) const;
+  // Returns the words that LAMMPS reads instead of the law: its model `hertz/material`. The modulus
+  // in them is arbitrary, because NormalModel sets the modulus of the law.
+  std::vector<std::string> placeholder() const;
 };
-
-// Returns Young's modulus of LAMMPS' own model for an effective shear modulus. Two equal bodies
-// with Poisson's ratio 0 have G* = G/4 and E = 2 G, therefore E = 8 G*.
-inline double equivalent_modulus(double shear_modulus_eff) { return 8 * shear_modulus_eff; }
 
 Body rigid_body();
 

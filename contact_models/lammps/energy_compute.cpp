@@ -23,6 +23,14 @@ EnergyCompute::EnergyCompute(LAMMPS_NS::LAMMPS* lammps, int count, char** words)
 
 EnergyCompute::~EnergyCompute() { delete[] vector; }
 
+void EnergyCompute::init() {
+  if (!EnergyBalance::of(lmp))
+    error->all(FLERR,
+               "compute {} plastigran/energy: `unfix` has removed its fix plastigran_energy; "
+               "remove the compute by `uncompute {}`, and give it again",
+               id, id);
+}
+
 void EnergyCompute::compute_vector() {
   invoked_vector = update->ntimestep;
   const EnergyBalance::Terms terms = EnergyBalance::of(lmp)->terms();

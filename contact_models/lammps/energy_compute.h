@@ -11,7 +11,7 @@ class EnergyCompute : public LAMMPS_NS::Compute {
  public:
   EnergyCompute(LAMMPS_NS::LAMMPS* lammps, int count, char** words);
   ~EnergyCompute() override;
-  void init() override {}
+  void init() override;
   void compute_vector() override;
 };
 

@@ -9,12 +9,13 @@
 
 namespace plastigran {
 
-std::vector<TypeExtremes> type_extremes(LAMMPS_NS::LAMMPS* lammps) {
+std::vector<TypeExtremes> type_extremes(LAMMPS_NS::LAMMPS* lammps, int group) {
   const LAMMPS_NS::Atom* const atom = lammps->atom;
   std::vector<TypeExtremes> types(static_cast<std::size_t>(atom->ntypes));
   for (int i = 0; i < atom->nlocal; ++i)
-    types[static_cast<std::size_t>(atom->type[i]) - 1].add(atom->radius[i], atom->rmass[i],
-                                                           atom->v[i]);
+    if (atom->mask[i] & group)
+      types[static_cast<std::size_t>(atom->type[i]) - 1].add(atom->radius[i], atom->rmass[i],
+                                                             atom->v[i]);
   const auto over_ranks = [&](MPI_Op operation, double* first, std::size_t size) {
     MPI_Allreduce(MPI_IN_PLACE, first, static_cast<int>(size), MPI_DOUBLE, operation,
                   lammps->world);

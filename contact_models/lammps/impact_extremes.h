@@ -10,8 +10,9 @@
 
 namespace plastigran {
 
-// Returns the extremes of atom type k + 1 at index k.
-std::vector<TypeExtremes> type_extremes(LAMMPS_NS::LAMMPS* lammps);
+// Returns the extremes of atom type k + 1 at index k, for the particles of a group, whose bit is
+// `group`.
+std::vector<TypeExtremes> type_extremes(LAMMPS_NS::LAMMPS* lammps, int group);
 
 std::vector<int> all_types(int count);
 

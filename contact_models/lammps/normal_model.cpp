@@ -14,6 +14,14 @@ namespace plastigran {
 using LAMMPS_NS::Granular_NS::GranSubModNormal;
 using LAMMPS_NS::Granular_NS::GranularModel;
 
+namespace {
+
+// Returns Young's modulus of LAMMPS' own model for an effective shear modulus. Two equal bodies
+// with Poisson's ratio 0 have G* = G/4 and E = 2 G, therefore E = 8 G*.
+double equivalent_modulus(double shear_modulus_eff) { return 8 * shear_modulus_eff; }
+
+}  // namespace
+
 NormalModel::NormalModel(GranularModel* model, LAMMPS_NS::LAMMPS* lammps, Laws laws,
                          ContactTally& tally)
     : GranSubModNormal(model, lammps), laws_(std::move(laws)), tally_(tally) {
@@ -53,6 +61,8 @@ void NormalModel::replace(GranularModel* model, LAMMPS_NS::LAMMPS* lammps, Laws 
   model->normal_model = normal;
   model->sub_models[LAMMPS_NS::Granular_NS::NORMAL] = normal;
   if (!tangential.law.empty()) TangentialModel::add(model, lammps, *normal, tangential, tally);
+  // LAMMPS computes the tangential stiffness `NULL` from the modulus of the normal model.
+  model->tangential_model->coeffs_to_local();
   delete[] model->transfer_history_factor;  // init() allocates the factors again
   model->transfer_history_factor = nullptr;
   model->init();
@@ -71,17 +81,20 @@ const RuntimeLaw& NormalModel::law() const {
 // the contact breaks. The energy lost in this step is then counted.
 bool NormalModel::touch() {
   double reach = gm->radsum;
-  if (gm->touch && beyond_contact) reach += 2 * law().pull_off_distance(gm->Reff);
+  if (gm->touch && beyond_contact) reach += largest_reach(gm->Reff);
   return gm->rsq < reach * reach;
 }
 
 double NormalModel::pulloff_distance(double radius, double other_radius) {
-  const double radius_eff =
-      other_radius > 0 ? radius * other_radius / (radius + other_radius) : radius;
+  return largest_reach(other_radius > 0 ? radius * other_radius / (radius + other_radius) : radius);
+}
+
+// Returns twice the largest pull-off distance of all laws. touch() cannot use law(), because a wall
+// calls touch() before it sets the velocity of the particle.
+double NormalModel::largest_reach(double radius_eff) const {
   double distance = 0;
-  for (const auto& law : laws_)
-    distance = std::max(distance, 2 * law->pull_off_distance(radius_eff));
-  return distance;
+  for (const auto& law : laws_) distance = std::max(distance, law->pull_off_distance(radius_eff));
+  return 2 * distance;
 }
 
 double NormalModel::calculate_contact_radius() {

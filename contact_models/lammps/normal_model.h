@@ -51,12 +51,13 @@ class NormalModel : public LAMMPS_NS::Granular_NS::GranSubModNormal {
   double conservative_force() const { return force_ - viscous_force_; }  // [N]
   double limiting_force() const { return force_ + pull_off_force_; }     // [N]
   double tangential_stiffness() const {                                  // [N/m]
-    return 8 * law().bodies.shear_modulus_eff * gm->contact_radius;
+    return law().tangential_stiffness(gm->contact_radius);
   }
   void set_fncrit() override;
 
  private:
   const RuntimeLaw& law() const;
+  double largest_reach(double radius_eff) const;
 
   Laws laws_;
   ContactTally& tally_;

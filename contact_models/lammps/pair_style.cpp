@@ -2,7 +2,7 @@
 #include "lammps/pair_style.h"
 
 #include <algorithm>
-#include <cmath>
+#include <cstdlib>
 
 #include "atom.h"
 #include "comm.h"
@@ -102,19 +102,25 @@ void PairStyle::coeff(int count, char** words) {
   for (const auto& [i, j] : mixed_) setflag[i][j] = 0;
   mixed_.clear();
   if (!line.mixed) return add_model(words[0], words[1], line, line.body, line.body);
-  const std::string types[2] = {words[0], words[1]};
-  for (const std::string& type : types)
-    if (!LAMMPS_NS::utils::is_integer(type))
-      error->all(FLERR, "pair_coeff: `mixed` needs two single atom types, not {}", type);
-  add_model(types[0], types[1], line, line_of(std::stoi(types[0])).body,
-            line_of(std::stoi(types[1])).body);
+  Body bodies[2];
+  for (int k = 0; k < 2; ++k) {
+    const std::string word = words[k];
+    const long type = std::strtol(word.c_str(), nullptr, 10);
+    if (!LAMMPS_NS::utils::is_integer(word) || type < 1 || type > atom->ntypes)
+      error->all(FLERR,
+                 "pair_coeff: `mixed` is given with the atom type `{}`; give two single atom "
+                 "types, 1 to {}",
+                 word, atom->ntypes);
+    bodies[k] = line_of(static_cast<int>(type)).body;
+  }
+  add_model(words[0], words[1], line, bodies[0], bodies[1]);
 }
 
 // Makes LAMMPS create its own model for the atom types, and replaces it by the law.
 void PairStyle::add_model(const std::string& types, const std::string& other_types,
                           const ContactLine& line, const Body& one, const Body& other) {
   const auto made = law(line, one, other, "pair_coeff");
-  std::vector<std::string> words = line.placeholder(made->bodies.shear_modulus_eff);
+  std::vector<std::string> words = line.placeholder();
   words.insert(words.begin(), {types, other_types});
   auto all = pointers(words);
   PairGranular::coeff(static_cast<int>(all.size()), all.data());
@@ -130,13 +136,13 @@ void PairStyle::set_model(GranularModel* model, const ContactLine& line,
   models_[model] = {line, made};
 }
 
-// Adds a model for two atom types that no line names together. LAMMPS cannot mix the laws. Its
-// mixing of `mindlin NULL` is also unsuitable: between two types of equal modulus, the tangential
-// stiffness would differ from that between particles of one type.
+// Adds a model for two atom types. LAMMPS cannot mix the laws. Its mixing of `mindlin NULL` is also
+// unsuitable: between two types of equal modulus, the tangential stiffness would differ from that
+// between particles of one type.
 void PairStyle::mix(int type, int other_type) {
   const ContactLine one = line_of(type), other = line_of(other_type);
   if (one.law != other.law || one.law_words != other.law_words || one.models != other.models ||
-      one.viscous != other.viscous)
+      one.viscous != other.viscous || one.tangential != other.tangential)
     error->all(
         FLERR,
         "granular/plastigran: atom types {} and {} have different laws, constants or models; "
@@ -144,6 +150,13 @@ void PairStyle::mix(int type, int other_type) {
         type, other_type, type, other_type);
   add_model(std::to_string(type), std::to_string(other_type), one, one.body, other.body);
   mixed_.push_back({type, other_type});
+}
+
+// Adds models for all pairs of atom types that no line names together.
+void PairStyle::mix_types() {
+  for (int i = 1; i <= atom->ntypes; ++i)
+    for (int j = i + 1; j <= atom->ntypes; ++j)
+      if (!setflag[i][j] && setflag[i][i] && setflag[j][j]) mix(i, j);
 }
 
 void PairStyle::init_style() {
@@ -159,9 +172,7 @@ void PairStyle::init_style() {
     error->all(FLERR,
                "granular/plastigran: `minimize` would change the contact history in every trial "
                "step; use `run`");
-  for (int i = 1; i <= atom->ntypes; ++i)
-    for (int j = i + 1; j <= atom->ntypes; ++j)
-      if (!setflag[i][j] && setflag[i][i] && setflag[j][j]) mix(i, j);
+  mix_types();
   set_mixed_models();
   PairGranular::init_style();
   check_models();
@@ -216,10 +227,16 @@ void PairStyle::check_models() {
 }
 
 // Returns the positions of the models' values in the contact history, which are the same for all
-// pairs of atom types.
+// pairs of atom types. Computes them as LAMMPS does in init_style(), because read_restart() needs
+// the positions before.
 std::vector<int> PairStyle::offsets() const {
-  std::vector<int> all;
-  for (const auto* const part : models_list[0]->sub_models) all.push_back(part->history_index);
+  std::vector<int> all{0};
+  for (int part = 0; part < LAMMPS_NS::Granular_NS::NSUBMODELS; ++part) {
+    int size = 0;
+    for (int k = 0; k < nmodels; ++k)
+      size = std::max(size, models_list[k]->sub_models[part]->size_history);
+    all.push_back(all.back() + size);
+  }
   return all;
 }
 
@@ -249,9 +266,13 @@ void PairStyle::setup() {
 
 void PairStyle::expect_impacts() {
   std::vector<ExpectedImpact> impacts;
-  const ImpactForecast forecast(type_extremes(lmp), all_types(atom->ntypes), false, {});
-  for (const Meeting& meeting : forecast.meetings())
-    impacts.push_back({meeting, model_of(meeting.type, meeting.partner_type).law});
+  const int all = 1;  // bit of the group `all`
+  const ImpactForecast forecast(type_extremes(lmp, all), all_types(atom->ntypes), false, {});
+  for (const Meeting& meeting : forecast.meetings()) {
+    const auto [first, second] = std::minmax(meeting.type, meeting.partner_type);
+    // In `pair_style hybrid`, these types may have another style.
+    if (setflag[first][second]) impacts.push_back({meeting, model_of(first, second).law});
+  }
   RunTimeChecks::of(lmp).expect(impacts);
 }
 
@@ -341,6 +362,8 @@ void PairStyle::read_restart(FILE* file) {
   for (const auto& [model, line] : mixed)
     set_model(model, line, law(line, body, body, "read_restart"));
   set_mixed_models();
+  last_offsets_ = offsets();
+  mix_types();  // so that check_models() compares all pairs
   last_models_ = models_of_pairs();
 }
 

@@ -61,6 +61,7 @@ class PairStyle : public LAMMPS_NS::PairGranular, public ContactTally {
                  const std::shared_ptr<const RuntimeLaw>& made);
   const Model& model_of(int type, int other_type);
   void mix(int type, int other_type);
+  void mix_types();
   void set_mixed_models();
   std::map<std::pair<int, int>, std::string> models_of_pairs();
   std::vector<int> offsets() const;
@@ -72,7 +73,7 @@ class PairStyle : public LAMMPS_NS::PairGranular, public ContactTally {
   std::map<LAMMPS_NS::Granular_NS::GranularModel*, Model> models_;
   std::vector<std::pair<int, int>> mixed_;  // pairs of atom types that no line names together
   // Models of the last run, or of the restart file, by pair of atom types, and offsets of their
-  // history in the last run.
+  // history.
   std::map<std::pair<int, int>, std::string> last_models_;
   std::vector<int> last_offsets_;
 };

@@ -2,6 +2,7 @@
 #include "lammps/particle_values.h"
 
 #include "atom.h"
+#include "error.h"
 #include "lammps.h"
 #include "modify.h"
 
@@ -21,7 +22,13 @@ void ParticleValues::create(LAMMPS_NS::LAMMPS* lammps, const std::string& name,
 
 double* ParticleValues::of(LAMMPS_NS::LAMMPS* lammps, const char* name) {
   int is_double, columns;
-  return lammps->atom->dvector[lammps->atom->find_custom(name, is_double, columns)];
+  const int index = lammps->atom->find_custom(name, is_double, columns);
+  if (index < 0)
+    lammps->error->one(FLERR,
+                       "granular/plastigran: `unfix` has removed the fix {}, which stores values "
+                       "of the particles; keep this fix",
+                       name);
+  return lammps->atom->dvector[index];
 }
 
 void ParticleValues::set_arrays(int particle) { of(lmp, name_.c_str())[particle] = 0; }

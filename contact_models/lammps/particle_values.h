@@ -19,7 +19,8 @@ class ParticleValues : public LAMMPS_NS::Fix {
   // appended to the command fix property/atom.
   static void create(LAMMPS_NS::LAMMPS* lammps, const std::string& name,
                      const std::string& words = "");
-  // Returns the values of the particles of this rank and of its ghosts.
+  // Returns the values of the particles of this rank and of its ghosts; stops the run if the values
+  // have been removed.
   static double* of(LAMMPS_NS::LAMMPS* lammps, const char* name);
 
   int setmask() override { return 0; }

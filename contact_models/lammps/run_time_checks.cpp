@@ -58,11 +58,10 @@ void RunTimeChecks::expect(const std::vector<ExpectedImpact>& impacts) {
   std::map<std::string, double> outside;  // largest speed beyond the range of each law [m/s]
   for (const auto& [meeting, law] : impacts) {
     if (!(meeting.speed > 0)) continue;
-    const double its_step =
-        law->recommended_timestep(meeting.radius_eff, meeting.mass_eff, meeting.speed);
-    if (step == 0 || its_step < step) step = its_step, step_speed = meeting.speed;
-    if (law->will_exceed_range(meeting.radius_eff, meeting.mass_eff, meeting.speed))
-      outside[law->name] = std::max(outside[law->name], meeting.speed);
+    const ImpactCheck check =
+        law->check_impact(meeting.radius_eff, meeting.mass_eff, meeting.speed);
+    if (step == 0 || check.timestep < step) step = check.timestep, step_speed = meeting.speed;
+    if (!check.in_range) outside[law->name] = std::max(outside[law->name], meeting.speed);
   }
   // Warn again only of shorter time steps or higher speeds.
   if (step > 0 && update->dt > step && (warned_step_ == 0 || step < 0.99 * warned_step_)) {

@@ -23,6 +23,12 @@
 
 namespace plastigran {
 
+// Result of the check of an expected impact.
+struct ImpactCheck {
+  double timestep;  // recommended time step [s]
+  bool in_range;    // whether the impact stays in the validity range of the law
+};
+
 class RuntimeLaw {
  public:
   static constexpr std::size_t capacity = 8;  // largest number of values of a state
@@ -40,15 +46,13 @@ class RuntimeLaw {
   virtual double lost_at_ends(double radius_eff, const double* before, const double* now) const = 0;
   // Returns whether the bodies are in contact; always true for laws whose contacts cannot stretch.
   virtual bool in_contact(const double* state) const = 0;
-  virtual double recommended_timestep(double radius_eff, double mass_eff, double speed) const = 0;
-  // Returns whether an impact exceeds the validity range of the law.
-  virtual bool will_exceed_range(double radius_eff, double mass_eff, double speed) const = 0;
+  // Returns the tangential stiffness without slip [N/m].
+  virtual double tangential_stiffness(double contact_radius) const = 0;
+  virtual ImpactCheck check_impact(double radius_eff, double mass_eff, double speed) const = 0;
   virtual double range_at(double factor) const = 0;  // largest valid overlap/R* at a rate factor
   // Counts a contact beyond the validity range.
   virtual void count(RangeAccount& account, double factor,
                      const DeepContact<const double*>& contact) const = 0;
-  // Returns the constants of the pair, and the constants and options of the law, as text.
-  virtual std::string description() const = 0;
 
   // Returns whether the yield strength depends on the strain rate.
   bool has_rate() const { return bodies.rate_coefficient > 0; }
@@ -122,14 +126,16 @@ class RuntimeLawOf : public RuntimeLaw {
     else
       return true;
   }
-  double recommended_timestep(double radius_eff, double mass_eff, double speed) const override {
-    return pair_.at_factor(rate_factor(radius_eff, speed), [&](const auto& law, double) {
-      return plastigran::recommended_timestep(law, radius_eff, mass_eff, speed);
-    });
+  double tangential_stiffness(double contact_radius) const override {
+    return elastic_stiffness(pair_.law, bodies.youngs_modulus_eff, bodies.shear_modulus_eff,
+                             contact_radius)
+        .tangential;
   }
-  bool will_exceed_range(double radius_eff, double mass_eff, double speed) const override {
+  ImpactCheck check_impact(double radius_eff, double mass_eff, double speed) const override {
     return pair_.at_factor(rate_factor(radius_eff, speed), [&](const auto& law, double) {
-      return !plastigran::central_impact(law, radius_eff, mass_eff, speed).in_range;
+      const ImpactOutcome impact = central_impact(law, radius_eff, mass_eff, speed);
+      return ImpactCheck{recommended_timestep(law, radius_eff, mass_eff, speed, impact),
+                         impact.in_range};
     });
   }
   double range_at(double factor) const override {
@@ -143,16 +149,6 @@ class RuntimeLawOf : public RuntimeLaw {
                   {contact.radius_eff, contact.overlap, contact.closing, before, now,
                    contact.has_moved_freely, contact.share});
     });
-  }
-  std::string description() const override {
-    std::ostringstream text;
-    text << "effective modulus " << bodies.youngs_modulus_eff << " Pa";
-    if (yields<Law>)
-      text << ", yield strength " << bodies.yield_strength << " Pa, yield pressure "
-           << bodies.yield_pressure << " Pa";
-    for (const auto& parameter : parameters_of<Law>)
-      text << ", " << parameter.name << ' ' << pair_.constants.*parameter.value;
-    return text.str() + options_text<Law>(pair_.constants, ", ");
   }
 
  private:

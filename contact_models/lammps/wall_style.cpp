@@ -25,34 +25,34 @@ WallLine::WallLine(LAMMPS_NS::LAMMPS* lammps, int count, char** words)
                "{}: `mixed` is only for pairs of atom types; give the body of the wall by `E nu`, "
                "`body FILE` or `rigid`",
                command_);
+  make_laws();
   words_.assign(words, words + 4);
-  const auto placeholder = line_.placeholder(laws().front()->bodies.shear_modulus_eff);
+  const auto placeholder = line_.placeholder();
   words_.insert(words_.end(), placeholder.begin(), placeholder.end());
   for (std::string& word : words_) pointers_.push_back(word.data());
 }
 
-NormalModel::Laws WallLine::laws() const {
+void WallLine::make_laws() {
   PairStyle* const pair = PairStyle::of(lammps_);
   if (!pair)
     lammps_->error->all(FLERR,
                         "{}: the pair style has changed, but the wall needs `pair_style "
                         "granular/plastigran`; give this pair style, or remove the wall by `unfix`",
                         command_);
-  NormalModel::Laws all;
+  laws_.clear();
   for (int type = 1; type <= lammps_->atom->ntypes; ++type)
-    all.push_back(pair->law(line_, pair->line_of(type).body, line_.body, command_));
+    laws_.push_back(pair->law(line_, pair->line_of(type).body, line_.body, command_));
   const auto tangential = std::find(line_.models.begin(), line_.models.end(), "tangential");
   const bool derived = line_.tangential.law.empty() && line_.models.end() - tangential > 2 &&
                        tangential[2] == "NULL";
-  const double shear_modulus = all.front()->bodies.shear_modulus_eff;
-  for (const auto& law : all)
+  const double shear_modulus = laws_.front()->bodies.shear_modulus_eff;
+  for (const auto& law : laws_)
     if (derived && std::abs(law->bodies.shear_modulus_eff - shear_modulus) > 1e-9 * shear_modulus)
       lammps_->error->all(
           FLERR,
           "{}: the atom types have different shear moduli, but a wall has one tangential "
           "stiffness; give a number instead of `NULL`",
           command_);
-  return all;
 }
 
 }  // namespace plastigran

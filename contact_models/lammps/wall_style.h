@@ -31,7 +31,9 @@
 namespace plastigran {
 
 // Reads the line of a wall, and replaces the law in it by the words of LAMMPS' own model. It is the
-// first base class of a wall, because the constructor of LAMMPS' wall reads these words.
+// first base class of a wall, because the constructor of LAMMPS' wall reads these words. It also
+// creates the laws, because an error after that constructor would stop in LAMMPS' destructor with
+// another message.
 class WallLine {
  public:
   WallLine(LAMMPS_NS::LAMMPS* lammps, int count, char** words);
@@ -39,14 +41,17 @@ class WallLine {
   int count() { return static_cast<int>(pointers_.size()); }
   char** words() { return pointers_.data(); }
 
-  // Returns the laws between the wall and the body of each atom type.
-  NormalModel::Laws laws() const;
+  // Creates the laws between the wall and the body of each atom type; stops the run if a value is
+  // invalid.
+  void make_laws();
+  const NormalModel::Laws& laws() const { return laws_; }
   const TangentialLine& tangential() const { return line_.tangential; }
 
  private:
   LAMMPS_NS::LAMMPS* lammps_;
   std::string command_;
   ContactLine line_;
+  NormalModel::Laws laws_;
   std::vector<std::string> words_;
   std::vector<char*> pointers_;
 };
@@ -74,6 +79,7 @@ class WallStyle : private WallLine, public LammpsWall, public ContactTally {
 
   // Creates the laws again from the current pair_coeff lines.
   void init() override {
+    make_laws();
     NormalModel::replace(this->model, this->lmp, laws(), tangential(), *this);
     if (history_size() != this->size_history)
       this->error->all(FLERR,
@@ -89,7 +95,7 @@ class WallStyle : private WallLine, public LammpsWall, public ContactTally {
     LammpsWall::setup(vflag);
     const auto* const normal = static_cast<NormalModel*>(this->model->normal_model);
     std::vector<ExpectedImpact> impacts;
-    const ImpactForecast forecast(type_extremes(this->lmp), {1}, true, {});
+    const ImpactForecast forecast(type_extremes(this->lmp, this->groupbit), {1}, true, {});
     for (const Meeting& meeting : forecast.meetings())
       impacts.push_back({meeting, normal->laws()[static_cast<std::size_t>(meeting.type) - 1]});
     RunTimeChecks::of(this->lmp).expect(impacts);

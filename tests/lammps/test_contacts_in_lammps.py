@@ -166,6 +166,42 @@ def test_grains_on_a_wall_with_adhesion_are_independent(tmp_path):
     assert_allclose(results[1], results[0], rtol=1e-12)
 
 
+@pytest.mark.parametrize("wall", ["", "region/"])
+def test_each_grain_on_a_wall_has_the_adhesion_of_its_type(wall, tmp_path):
+    """A soft grain sticks until its own pull-off distance, also if a stiff grain touches the wall.
+
+    The soft grain moves away from the wall, to half of its pull-off distance. The pull-off distance
+    of the stiff grain is 100 times smaller.
+    """
+    soft = attrs.evolve(MATERIAL, youngs_modulus=1e7)
+    contact = pg.Contact("jkr", soft, pg.RIGID, radius=RADIUS, surface_energy=0.5)
+    reach = contact.law.pull_off_distance(RADIUS)
+    spheres = [sphere(RADIUS - reach, 0, 0, 0.15 * reach), sphere(RADIUS - 1e-8, 0.03, 0, 0)]
+    models = "surface_energy 0.5 tangential incremental 0"
+    log = run(
+        tmp_path,
+        f"""{box(8 * RADIUS, types=2)}{numbered(spheres)}
+        set atom 2 type 2
+        pair_style granular/plastigran
+        pair_coeff 1 1 jkr {soft.youngs_modulus} {soft.poissons_ratio} {models}
+        pair_coeff 2 2 jkr 1e10 {soft.poissons_ratio} {models}
+        region wall plane 0 0 0 1 0 0
+        fix wall all wall/gran/{wall}plastigran granular jkr rigid {models} &
+          {"region wall" if wall else "xplane 0 NULL"}
+        fix motion all nve/noforce
+        timestep 1
+        variable force equal fx[1]
+        thermo_style custom step v_force
+        thermo_modify format float %.15g
+        run 10
+        """,
+    )
+    expected = contact.law.follow(RADIUS, [reach, -0.5 * reach])["force"][-1]
+    assert expected < 0
+    # The overlap has a round-off of 1e-16 RADIUS, which is 1e-12 of the reach.
+    assert_allclose(thermo(log)["v_force"].iloc[-1], expected, rtol=1e-9)
+
+
 @pytest.mark.parametrize("mixed", ["", "pair_coeff 1 2 thornton mixed"])
 def test_repeated_lines_change_the_constants_of_all_pairs(mixed, tmp_path):
     """Lines before a second run give all contacts friction: 1-1, 1-2 and 2-2."""
@@ -230,6 +266,99 @@ def test_new_lines_change_the_bodies_of_a_mixed_pair(tmp_path):
         works.append(thermo(log)["c_energy[4]"].iloc[-1])
     assert works[0] > 0
     assert works[1] == works[0]
+
+
+def test_new_lines_change_the_tangential_stiffness(tmp_path):
+    """With a new Young's modulus before the second run, the friction force with the stiffness
+    `NULL` is that of a run with this modulus from the start. The contacts are a `mixed` pair and a
+    wall.
+    """
+    models = "tangential mindlin NULL 0 0.5"
+    forces = []
+    for first in (7e9, 7e10):
+        places = (RADIUS - 1e-6, 0), (3 * RADIUS - 2e-6, 0.01), (RADIUS - 1e-6, 0.01)
+        spheres = [sphere(x, 6 * RADIUS * (k > 0), 0, 0, v) for k, (x, v) in enumerate(places)]
+        lines = "".join(f"pair_coeff {k} {k} hertz {{0}} 0.3 {models}\n" for k in (1, 2))
+        log = run(
+            tmp_path / str(first),
+            f"""{box(8 * RADIUS, types=2)}{numbered(spheres)}
+            set atom 1 vy 0.01
+            set atom 3 vy 0
+            set atom 2 type 2
+            pair_style granular/plastigran
+            {lines.format(first)}
+            pair_coeff 1 2 hertz mixed {models}
+            group first id 1
+            fix wall first wall/gran/plastigran granular hertz rigid {models} xplane 0 NULL
+            fix motion all nve/noforce
+            timestep 1e-8
+            variable pair equal fy[2]
+            variable wall equal fy[1]
+            thermo_style custom step v_pair v_wall
+            thermo_modify format float %.15g
+            run 0
+            {lines.format(7e10)}
+            run 10
+            """,
+        )
+        forces.append(thermo(log).iloc[-1][["v_pair", "v_wall"]])
+    assert (forces[1] < 0).all()
+    assert_allclose(forces[0], forces[1], rtol=1e-12)
+
+
+@pytest.mark.parametrize("law", ["walton_braun", "luding_2008"])
+def test_linear_laws_have_their_own_tangential_stiffness(law, tmp_path):
+    """The friction force of a sticking contact is 2/7 of the loading stiffness times the
+    displacement, as in LIGGGHTS (docs/deck_syntax.md)."""
+    values = constants(law)
+    line = f"{words(values)} tangential incremental 10"
+    log = run(
+        tmp_path,
+        f"""{box(8 * RADIUS)}{numbered([sphere(RADIUS - 1e-6, 0, 0, 0, 0.01)])}
+        pair_style granular/plastigran
+        pair_coeff * * {law} {body()} {line}
+        fix wall all wall/gran/plastigran granular {law} rigid {line} xplane 0 NULL
+        fix motion all nve/noforce
+        timestep 1e-8
+        variable force equal fy[1]
+        thermo_style custom step v_force
+        thermo_modify format float %.15g
+        run 10
+        """,
+    )
+    displacement = 10 * 1e-8 * 0.01
+    expected = -2 / 7 * values["loading_stiffness"] * displacement
+    assert_allclose(thermo(log)["v_force"].iloc[-1], expected, rtol=1e-9)
+
+
+def test_a_restart_does_not_depend_on_the_material_file(tmp_path):
+    """A run that continues after a change of the material file ends like the whole run."""
+    material = "variable youngs_modulus index 7e10\nvariable poissons_ratio index 0.3\n"
+    file = tmp_path / "soft.in"
+    file.write_text(f"{material}variable yield_strength index 1e8\n")
+    spheres = [sphere(RADIUS + 1e-9, 0, 0, -0.2), sphere(-RADIUS - 1e-9, 0, 0, 0.2)]
+    end = """
+        fix motion all nve/sphere
+        variable out equal vx[1]
+        timestep 1e-7
+        thermo_style custom step v_out
+        thermo_modify format float %.15g
+        run 1000 upto
+        """
+    whole = run(
+        tmp_path,
+        f"""{box(8 * RADIUS)}{numbered(spheres)}
+        pair_style granular/plastigran
+        pair_coeff * * thornton body soft.in yield_pressure_factor 2.8 {FRICTION}
+        restart 100 restart
+        {end}
+        """,
+    )
+    file.write_text(f"{material}variable yield_strength index 3e8\n")
+    continued = run(tmp_path, f"read_restart restart.100\ncomm_modify vel yes\n{end}")
+    out = thermo(whole)["v_out"].iloc[-1]
+    assert out > 0.01
+    assert_allclose(thermo(continued)["v_out"].iloc[-1], out, rtol=1e-12)
 
 
 @pytest.mark.parametrize(

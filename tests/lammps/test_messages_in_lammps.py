@@ -14,6 +14,12 @@ GOOD = f"{PAIR}pair_coeff * * thornton {BODY} {FRICTION}\n"
 PLAIN = f"{PAIR}pair_coeff * * thornton {BODY}"
 TWO = f"{PAIR}pair_coeff 1 1 thornton {BODY} {FRICTION}\npair_coeff 2 2 "
 WALL = "fix floor all wall/gran/plastigran granular "
+RESTART = """run 0
+write_restart spheres.restart
+clear
+read_restart spheres.restart
+comm_modify vel yes
+"""
 
 
 def line(words: str) -> str:
@@ -43,6 +49,7 @@ def script(lines: str) -> str:
         ),
         (f"{PLAIN} tangential partial_slip", "give the coefficient of friction, 0 or more"),
         (f"{PLAIN} tangential partial_slip 0.5 rings 9", "rings is `9`; it must be a whole number"),
+        (f"{PLAIN} tangential partial_slip 0.5 rings inf", "rings is `inf`; it must be a whole"),
         (f"{PLAIN} tangential partial_slip 0.5 rings 8 rings 3", "`rings` is given twice"),
         (f"{PLAIN} {FRICTION} tangential incremental 0.5", "`tangential` is given twice"),
         (
@@ -63,10 +70,24 @@ def script(lines: str) -> str:
         (line(f"thornton {BODY} adhesion glue"), "adhesion is glue; it must be off or jkr"),
         (line(f"thornton {BODY} adhesion jkr"), "thornton: surface_energy is missing"),
         (line(f"jkr {BODY} adhesion jkr"), "not supported, because the law has its own adhesion"),
-        (line("thornton mixed"), "`mixed` needs two single atom types, not *"),
+        (line("thornton mixed"), "with the atom type `*`; give two single atom types, 1 to 2"),
+        (
+            f"{TWO}thornton {BODY} {FRICTION}\npair_coeff 1 7 thornton mixed {FRICTION}",
+            "with the atom type `7`; give two single atom types, 1 to 2",
+        ),
         (f"{PAIR}pair_coeff 1 2 thornton mixed {FRICTION}", "has no body; give `pair_coeff"),
         (f"{TWO}universal {BODY} {FRICTION}", "types 1 and 2 have different laws, constants or"),
         (f"{TWO}thornton {BODY} tangential mindlin NULL 1.0 0.5", "types 1 and 2 have different"),
+        (
+            f"{PAIR}pair_coeff 1 1 thornton {BODY} tangential incremental 0.5\n"
+            f"pair_coeff 2 2 thornton {BODY} tangential partial_slip 0.5",
+            "types 1 and 2 have different laws, constants or models",
+        ),
+        (
+            f"{PAIR}pair_coeff 1 1 thornton {BODY} tangential partial_slip 0.5 rings 2\n"
+            f"pair_coeff 2 2 thornton {BODY} tangential partial_slip 0.5",
+            "types 1 and 2 have different laws, constants or models",
+        ),
         (f"{GOOD}{WALL}hertz", "fix wall/gran/plastigran: the style must be followed by `granular"),
         (f"{WALL}hertz rigid {FRICTION} xplane 0 NULL", "the bodies of the particles are missing"),
         (
@@ -86,6 +107,14 @@ def script(lines: str) -> str:
         ),
         ("compute energy all plastigran/energy", "needs `pair_style granular/plastigran`"),
         (f"{GOOD}minimize 0 0 1 1", "`minimize` would change the contact history"),
+        (
+            f"{GOOD}compute energy all plastigran/energy\nunfix plastigran_energy",
+            "compute energy plastigran/energy: `unfix` has removed its fix plastigran_energy",
+        ),
+        (
+            f"{GOOD}compute energy all plastigran/energy\nunfix plastigran_work",
+            "`unfix` has removed the fix plastigran_work, which stores values of the particles",
+        ),
         ("pair_style granular/plastigran 1 2", "unknown word 2; give at most a cutoff"),
         (
             line(f"thornton {BODY} rate_coefficient 0.01 surface_energy 0.1 adhesion jkr"),
@@ -100,6 +129,17 @@ def script(lines: str) -> str:
             f"pair_coeff 2 2 thornton {BODY} rate_coefficient 0.01 {FRICTION}\n"
             f"pair_coeff 1 2 thornton mixed {FRICTION}",
             "atom types 2 and 2 have another law or other models than in the last run",
+        ),
+        (
+            f"{TWO}thornton {BODY} {FRICTION}\n{RESTART}pair_coeff 1 2 universal mixed {FRICTION}",
+            "atom types 1 and 2 have another law or other models than in the last run",
+        ),
+        (
+            # After the restart, LAMMPS deletes the unused model of the second line, whose history
+            # has more values.
+            f"{TWO}thornton {BODY} rate_coefficient 0.01 {FRICTION}\n"
+            f"pair_coeff 2 2 thornton {BODY} {FRICTION}\n{RESTART}",
+            "new pair_coeff lines move the values of the contact history",
         ),
         (
             f"{GOOD}{WALL}thornton rigid {FRICTION} xplane 0 NULL\n"

@@ -79,6 +79,44 @@ def test_the_forecast_names_the_range(tmp_path):
     assert f"model {LAW}: impacts at the current speeds (up to 0.3 m/s) will exceed" in warnings
 
 
+@pytest.mark.parametrize("group", ["resting", "all"])
+def test_the_forecast_of_a_wall_is_for_its_group(group, tmp_path):
+    """A wall line warns of the impacts of its own particles, not of those of other wall lines."""
+    spheres = numbered([sphere(2 * RADIUS, 0, 0, 0), sphere(2 * RADIUS, 4 * RADIUS, 0, -SPEED)])
+    log = run(
+        tmp_path,
+        f"""{box(8 * RADIUS)}{spheres}
+        group resting id 1
+        group moving id 2
+        pair_style granular/plastigran
+        pair_coeff * * hertz {body()} {FRICTION}
+        fix soft {group} wall/gran/plastigran granular {LAW} rigid {FRICTION} xplane 0 NULL
+        fix hard moving wall/gran/plastigran granular hertz rigid {FRICTION} xplane 0 NULL
+        timestep {STEP}
+        run 0
+        """,
+    )
+    assert (f"model {LAW}: impacts at the current speeds" in log) == (group == "all")
+
+
+def test_the_forecast_omits_types_of_other_pair_styles(tmp_path):
+    """In `pair_style hybrid`, impacts of types without a contact law need no time step."""
+    spheres = numbered([sphere(x, 0, 0, 0) for x in (-2 * RADIUS, 2 * RADIUS)])
+    log = run(
+        tmp_path,
+        f"""{box(8 * RADIUS, types=2)}{spheres}
+        set atom 2 type 2 vx 1000
+        pair_style hybrid granular/plastigran zero 0.01
+        pair_coeff * * zero
+        pair_coeff 1 1 granular/plastigran {LAW} {body()} {FRICTION}
+        timestep {STEP}
+        run 0
+        """,
+    )
+    assert "Loop time" in log
+    assert "is recommended for impacts" not in log and "will exceed" not in log
+
+
 def test_no_report_within_the_range(tmp_path):
     log = run(tmp_path, scene(speed=0.002))
     assert not reports(log) and not find_excess(log)
