@@ -53,7 +53,7 @@ def test_a_time_step_with_a_setup_is_taken(tmp_path):
 
 
 def test_a_fix_may_change_the_time_step(tmp_path):
-    """`fix dt/reset` sets 2 us during setup for all integrators, also for the next run. The
-    particle moves from 0.1 m at 1 m/s during 1000 steps of 10 us and 200 of 2 us."""
+    """`fix dt/reset` changes the time step of all integrators to 2 us, also for the next run. The
+    particle moves from 0.1 m at 1 m/s during 1000 steps of 10 us and then 200 steps of 2 us."""
     x = last_position(tmp_path, "fix reset all dt/reset 10 1e-6 2e-6 1.0\nrun 100\nrun 100 pre no")
     assert x == pytest.approx(0.1104, rel=1e-12)

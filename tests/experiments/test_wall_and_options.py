@@ -170,5 +170,5 @@ def test_impacts_without_yield_are_said():
 
 
 def test_a_cylinder_has_a_rigid_wall():
-    with pytest.raises(ValueError, match="wall is steel, but the wall of a cylinder must be rigid"):
+    with pytest.raises(ValueError, match="wall is steel, but a cylinder must hit a rigid wall"):
         CylinderImpact("lim_stronge", 1.0, "glass_kp10", 1e-5, wall="steel")

@@ -44,7 +44,7 @@ class Sentence:
 
     Attributes:
         place: File and line, or the command whose help contains the sentence.
-        text: Text, with single words for code, values, equations and lists of names.
+        text: Text. One word replaces each piece of code, value, equation or list of names.
     """
 
     place: str

@@ -66,7 +66,9 @@ def test_a_gas_is_counted_as_it_is_replayed(gas):
 
 @pytest.mark.parametrize(("ranks", "grid"), [(2, "1 1 2"), (4, "2 2 1")])
 def test_ranks_count_what_happens(ranks, grid, tmp_path):
-    """Several ranks count the impacts of the replay, also if grains change rank during contact."""
+    """Several ranks count the impacts that `replay` finds in the recorded motion, also if grains
+    change rank during contact.
+    """
     count("gas", tmp_path, ranks, grid=grid, before=400, after=0)
     compare(tmp_path, 400)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""In the benchmark impacts of Chung & Ooi (2011), laws with bodies that do not yield equal
+"""For bodies that do not yield, the laws give the same benchmark impacts of Chung & Ooi (2011) as
 LIGGGHTS' own hertz.
 """
 

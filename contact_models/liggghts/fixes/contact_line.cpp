@@ -21,8 +21,8 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 }  // namespace
 
-// Returns one text line per owner: owner, models, settings and position, separated by tabs. One
-// text line per pair of atom types follows it: a tab and the constants.
+// Returns one text line per pair style or wall fix: its name, models, settings and position,
+// separated by tabs. One text line per pair of atom types follows it: a tab and the constants.
 std::string restart_text(const ContactLines& lines) {
   std::string text;
   for (const auto& [owner, line] : lines) {

@@ -32,8 +32,8 @@ class HistoryKeeper : public PluginFix {
   static const char* id() { return "plastigran_history"; }
   static const char* style() { return "plastigran/history"; }
 
-  // Returns the HistoryKeeper; adds it if there is none. The caller must call restarted_lines()
-  // when it is constructed, save the result, and pass it as `restarted`. Later, the lines may be
+  // Returns the HistoryKeeper; adds it if there is none. Callers must call restarted_lines() in
+  // their own constructor, save the result, and pass it as `restarted`. Later, the lines may be
   // missing: LIGGGHTS discards the data of the restart file when it initializes the first wall.
   static HistoryKeeper* of(LAMMPS_NS::LAMMPS* engine, const std::string& restarted);
 

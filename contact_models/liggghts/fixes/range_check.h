@@ -32,7 +32,7 @@ class RangeCheck : public PluginFix {
   static const char* id() { return "plastigran_range"; }
   static const char* style() { return "plastigran/range"; }
 
-  // Returns the counts of a model; adds the fix if needed. Collective.
+  // Returns the account of a model's contacts beyond its range; adds the fix if needed. Collective.
   static Excess* of(LAMMPS_NS::LAMMPS* engine, const std::string& model, const char* range);
 
   int setmask() override;

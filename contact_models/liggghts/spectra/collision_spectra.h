@@ -67,7 +67,7 @@ class CollisionSpectra : public ContactObserver {
   void open(const std::string& path);
   std::size_t wall_number(const void* owner) const;
   void advance(Impact& impact, const Contact& contact, const AccountedLoad& on_i,
-               const LossyLoad& load, bool turned, bool first);
+               const LossyLoad& load, bool exchanged, bool first);
   void count(Partner partner, const Impact& impact);
   void write_table();
 

@@ -50,7 +50,7 @@ PLASTIGRAN_DEVICE inline double length(const Vector3& a) { return std::sqrt(dot(
 
 // The normal contact at the end of a step.
 struct NormalLoad {
-  double force = 0;      // normal force that limits friction, without dashpot and adhesion [N]
+  double force = 0;  // force that limits friction: normal force of the law plus pull-off force [N]
   double stiffness = 0;  // tangential stiffness without slip, 8 G* a [N/m]
 };
 

@@ -121,8 +121,8 @@ class LawAtFactor {
     } else {
       static_assert(
           std::is_base_of_v<LargestOverlap, Law>,
-          "interpolation requires the state LargestOverlap; other laws must be self_similar "
-          "or define respond_stronger()");
+          "rate_coefficient: interpolation between strengths requires the state LargestOverlap; "
+          "other laws must declare self_similar or define respond_stronger()");
       const State before = state;
       Response sum;
       for (const Part& part : parts_) {

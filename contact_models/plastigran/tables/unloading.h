@@ -34,14 +34,17 @@ struct Peak {
   double plastic_work;
 };
 
-// Point of an unloading curve at y = root^2, from which adhesive.h computes adhesion. `force` and
+// Point of an unloading curve, from which adhesive.h computes adhesion. The variable of the curve
+// is y, the overlap above the residual overlap divided by its largest value. `force` and
 // `root_of_slope` (square root of dF/d(overlap)) are divided by their values at the largest
 // overlap. `exponent` is d ln(root_of_slope)/d ln(y).
 //
-// The classes below also define contact_radius_at(), the contact radius divided by its value at the
-// largest overlap, and energy_at(), the elastic energy divided by F_max (overlap_max -
-// overlap_res). pull_off() is the pull-off force divided by S D, with the slope S and the adhesive
-// displacement D at the largest overlap (adhesive.h); b is D/(overlap_max - overlap_res).
+// The classes below also define these functions; `root` is the square root of y:
+//   contact_radius_at   contact radius, divided by its value at the largest overlap
+//   energy_at           elastic energy, divided by F_max (overlap_max - overlap_res)
+//   pull_off            pull-off force, divided by S D, with the slope S and the adhesive
+//                       displacement D at the largest overlap (adhesive.h); the argument `b` is
+//                       D/(overlap_max - overlap_res)
 struct ShapeOfUnloading {
   double force, root_of_slope, exponent;
 };

@@ -73,9 +73,9 @@ def restitution(runs: Runs) -> pd.DataFrame:
 
 
 def measured_run(runs: Runs) -> pd.DataFrame:
-    """Return results of the laws and of the measured impulse for the run with printed velocities.
+    """Return results of the laws, and results computed from the measured impulse.
 
-    The paper prints the velocities before and after the impact of one experiment.
+    They are for the experiment whose velocities before and after the impact the paper prints.
     """
     rod = next(rod for rod in paper_rods() if rod.angle == MEASURED.angle)
     impacts = runs.table

@@ -84,9 +84,9 @@ aluminium_zv02,0.1,0.20
         return Outcome(sqrt(returned / energy), force_max, top, top - recovery, time)
 
     def duration(self, force: Callable, begin: float, end: float, kinetic: float = 0) -> float:
-        """Return the time [s] between two overlaps [m], with the kinetic energy [J] at `end`. The
-        integration variable is the root of the remaining distance, which removes the singularity at
-        a turning point.
+        """Return the time [s] between two overlaps [m]. `kinetic` is the kinetic energy [J] at
+        `end`. The integration variable is the root of the remaining distance, which removes the
+        singularity at a turning point.
         """
 
         def pace(root: float) -> float:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Central impacts of the references of all laws: rows, outcomes, and jumps of the force."""
+"""Central impacts of all laws by their reference formulas: result rows, jumps of the force."""
 
 from __future__ import annotations
 

@@ -66,8 +66,8 @@ def compute(
 def rates(data: Runs) -> pd.DataFrame:
     """Return the discharge rates in thousand grains per second.
 
-    Each orifice has one row for each end of our runs. The rates of other codes with the published
-    filling are measured in the same interval of time.
+    Each orifice has one row for each end time of our runs. The rates of other codes with the
+    published filling are measured in the same interval of time.
     """
     rows = []
     for orifice in dict.fromkeys(orifice for orifice, _ in data):

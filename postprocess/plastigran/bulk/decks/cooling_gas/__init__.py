@@ -52,7 +52,9 @@ class CoolingGas(BulkDeck):
         number("duration / mean time between impacts of a grain at the start", "-", 0)
     )
     rows: int = continuable(whole("number of log lines", 1))
-    checkpoints: int = continuable(whole("number of restart files, a divisor of rows", 1))
+    checkpoints: int = continuable(
+        whole("number of restart files, a divisor of the setting rows", 1)
+    )
 
     def check(self) -> None:
         for name, choice in self.model_options.items():

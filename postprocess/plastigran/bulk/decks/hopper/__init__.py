@@ -112,6 +112,6 @@ def discharge_checks(discharge: Discharge) -> list[Check]:
             "change of the rate between the halves of the steady part, relative",
             abs(discharge.change) / discharge.rate,
             LEVEL + DEVIATIONS * discharge.change_error / discharge.rate,
-            f"influence of the falling level, {LEVEL:g}, plus {DEVIATIONS} standard deviations",
+            f"{LEVEL:g} for the falling fill level, plus {DEVIATIONS} standard deviations",
         ),
     ]
