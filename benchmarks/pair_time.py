@@ -176,7 +176,7 @@ def pair_times(log: str) -> list[float]:
 def read_contacts() -> pd.DataFrame:
     """Return step, normal force and first value of the history of each contact with force.
 
-    LIGGGHTS also lists neighbors without contact.
+    The dump also contains neighbors without contact.
     """
     table = read_dump(WORK / "run" / "contacts.dump")
     table.columns = ["step", "fnx", "fny", "fnz", "history"]
