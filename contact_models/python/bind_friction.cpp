@@ -86,9 +86,12 @@ void bind_tangential(nb::module_& module, nb::dict& all, const char* class_name,
     return nb::make_tuple(self.shape, nb::bytes(self.states.data(), size));
   });
   state.def("__setstate__", [](State& self, const nb::tuple& values) {
-    new (&self) State(nb::cast<std::vector<std::size_t>>(values[0]));
+    State restored(nb::cast<std::vector<std::size_t>>(values[0]));
     const nb::bytes history(values[1]);
-    std::memcpy(static_cast<void*>(self.states.data()), history.c_str(), history.size());
+    if (history.size() != restored.states.size() * sizeof(typename Law::State))
+      throw std::invalid_argument("the pickled histories are those of another law");
+    std::memcpy(static_cast<void*>(restored.states.data()), history.c_str(), history.size());
+    new (&self) State(std::move(restored));
   });
 
   const auto construct = [](Self* self, double friction, int number) {

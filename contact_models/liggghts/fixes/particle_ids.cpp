@@ -9,8 +9,9 @@ namespace plastigran {
 
 NewIds::NewIds(const int* former, const int* current, int count, long former_total,
                MPI_Comm ranks) {
-  const bool same_total = sum_over_ranks(static_cast<long>(count), ranks) == former_total;
-  unchanged_ = !on_any_rank(!same_total || !std::equal(former, former + count, current), ranks);
+  long kept = 0;  // particles with their former ID
+  for (int i = 0; i < count; ++i) kept += former[i] && former[i] == current[i];
+  unchanged_ = sum_over_ranks(kept, ranks) == former_total;
   if (unchanged_) return;
   std::vector<int> pairs;
   for (int i = 0; i < count; ++i)

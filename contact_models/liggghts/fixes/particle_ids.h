@@ -20,7 +20,7 @@ class NewIds {
   // particle. `former_total`: former number of particles on all ranks. Collective.
   NewIds(const int* former, const int* current, int count, long former_total, MPI_Comm ranks);
 
-  // Returns whether all particles have their former IDs.
+  // Returns whether all former particles still exist with their former IDs.
   bool unchanged() const { return unchanged_; }
 
   // Returns the current ID of a particle by its former ID; 0 if it was deleted.

@@ -291,19 +291,12 @@ void EnergyLedger::write_restart(FILE* file) {
   Sums sums;
   MPI_Reduce(&sums_, &sums, sizeof sums / sizeof(double), MPI_DOUBLE, MPI_SUM, 0, world);
   sums.initial_total = sums_.initial_total;
-  const StoredSums stored{not_a_sum, sums};
-  write_state(file, &stored, sizeof stored);
+  write_state(file, &sums, sizeof sums);
 }
 
 void EnergyLedger::restart(char* data) {
-  // Restart files of older versions have no mark, and their sums end before adhesion_loss.
   Sums sums;
-  double mark;
-  std::memcpy(&mark, data, sizeof mark);
-  if (std::isnan(mark))
-    std::memcpy(static_cast<void*>(&sums), data + sizeof mark, sizeof sums);
-  else
-    std::memcpy(static_cast<void*>(&sums), data, offsetof(Sums, adhesion_loss));
+  std::memcpy(static_cast<void*>(&sums), data, sizeof sums);
   started_ = true;
   if (comm->me == 0) sums_ = sums;  // rank 0 takes the sums of all ranks
   sums_.initial_total = sums.initial_total;

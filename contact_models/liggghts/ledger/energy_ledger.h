@@ -155,12 +155,6 @@ class EnergyLedger : public PluginFix {
     double plastic_work = 0, friction = 0, viscous = 0, wall_work = 0, inserted = 0;
     double initial_total = 0, adhesion_loss = 0;
   };
-  // First value in restart files. Files of older versions begin with a sum instead.
-  static constexpr double not_a_sum = std::numeric_limits<double>::quiet_NaN();
-  struct StoredSums {
-    double mark;  // the value not_a_sum
-    Sums sums;
-  };
 
   // Returns the fraction of a contact's energies to count: 1/2 with a ghost, because the rank of
   // the other particle reports the contact too.

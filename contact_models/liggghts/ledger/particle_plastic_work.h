@@ -11,11 +11,7 @@ namespace plastigran {
 
 class ParticlePlasticWork : public LAMMPS_NS::FixPropertyAtom {
  public:
-  ParticlePlasticWork(LAMMPS_NS::LAMMPS* engine, int count, char** words)
-      : FixPropertyAtom(engine, count, words) {
-    static char before[] = "property/atom";  // fix style in restart files of older versions
-    accepts_restart_data_from_style = before;
-  }
+  using FixPropertyAtom::FixPropertyAtom;
   static const char* id() { return "plastic_work"; }
   static const char* style() { return "property/atom/plastic_work"; }
 

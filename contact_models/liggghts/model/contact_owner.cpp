@@ -91,6 +91,11 @@ std::vector<std::string> ContactOwner::histories() const {
   return ids;
 }
 
+int ContactOwner::group() const {
+  // LIGGGHTS ignores the group of a wall of meshes.
+  return wall_ && !wall_->is_mesh_wall() ? wall_->groupbit : 1;
+}
+
 std::vector<int> ContactOwner::partner_types(int type_count) const {
   std::vector<int> types;
   if (!wall_) {

@@ -48,6 +48,9 @@ class ContactOwner {
   // histories.
   std::vector<std::string> histories() const;
 
+  // Returns the bit of the group whose particles can touch: all, or the group of a primitive wall.
+  int group() const;
+
   // Returns the atom types that particles can touch: all, or only those of the wall.
   std::vector<int> partner_types(int type_count) const;
 

@@ -227,9 +227,9 @@ class NormalModelSetup : public NormalModelBase {
   // Stops if the law does not support two atom types that may touch. Finds the fastest impacts.
   void forecast_impacts(const DeckProperties& deck) {
     const int type_count = pairs_.type_count();
-    const plastigran::ImpactForecast forecast(plastigran::type_extremes(lmp, type_count),
-                                              owner_.partner_types(type_count), owner_.is_wall(),
-                                              plastigran::wall_types(modify));
+    const plastigran::ImpactForecast forecast(
+        plastigran::type_extremes(lmp, type_count, owner_.group()),
+        owner_.partner_types(type_count), owner_.is_wall(), plastigran::wall_types(modify));
     deck.check(plastigran::refusal(forecast.meetings(), forecast.expected(), pairs_));
     if (comm->me != 0) return;
     const double rayleigh =

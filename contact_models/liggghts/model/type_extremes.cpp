@@ -8,11 +8,12 @@
 
 namespace plastigran {
 
-std::vector<TypeExtremes> type_extremes(LAMMPS_NS::LAMMPS* engine, int type_count) {
+std::vector<TypeExtremes> type_extremes(LAMMPS_NS::LAMMPS* engine, int type_count, int group) {
   const LAMMPS_NS::Atom* const atom = engine->atom;
   std::vector<TypeExtremes> types(type_count);
   for (int i = 0; i < atom->nlocal; ++i)
-    types[atom->type[i] - 1].add(atom->radius[i], atom->rmass[i], atom->v[i]);
+    if (atom->mask[i] & group)
+      types[atom->type[i] - 1].add(atom->radius[i], atom->rmass[i], atom->v[i]);
   const auto over_ranks = [&](MPI_Op operation, auto value) {
     std::vector<double> values;
     for (TypeExtremes& type : types) values.push_back(value(type));

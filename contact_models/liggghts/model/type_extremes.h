@@ -11,8 +11,8 @@ class LAMMPS;
 
 namespace plastigran {
 
-// Returns the extremes of size and velocity of the particles on all ranks, for atom type k + 1 at
-// index k. Collective.
-std::vector<TypeExtremes> type_extremes(LAMMPS_NS::LAMMPS* engine, int type_count);
+// Returns the extremes of size and velocity of the particles of a group on all ranks, for atom type
+// k + 1 at index k. `group`: bit of the group. Collective.
+std::vector<TypeExtremes> type_extremes(LAMMPS_NS::LAMMPS* engine, int type_count, int group);
 
 }  // namespace plastigran

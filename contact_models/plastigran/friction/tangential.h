@@ -51,7 +51,7 @@ PLASTIGRAN_DEVICE inline double length(const Vector3& a) { return std::sqrt(dot(
 // The normal contact at the end of a step.
 struct NormalLoad {
   double force = 0;  // force that limits friction: normal force of the law plus pull-off force [N]
-  double stiffness = 0;  // tangential stiffness without slip, 8 G* a [N/m]
+  double stiffness = 0;  // tangential stiffness of the law without slip [N/m]
 };
 
 // Relative motion of the two bodies in a step.

@@ -58,10 +58,10 @@ ImpactTimes impact_times(const std::vector<Meeting>& meetings, TypePairs<Law>& p
                              hertz_duration(radius, mass, pair.bodies.youngs_modulus_eff, speed));
     const double factor = rate_factor(pair.bodies, radius, speed);
     pair.at_factor(factor, [&](const auto& law, double) {
-      const double step = recommended_timestep(law, radius, mass, speed);
+      const ImpactOutcome impact = central_impact(law, radius, mass, speed);
+      const double step = recommended_timestep(law, radius, mass, speed, impact);
       if (step < times.step) times.step = step, times.step_speed = speed;
-      if (!central_impact(law, radius, mass, speed).in_range)
-        times.outside_speed = std::max(times.outside_speed, speed);
+      if (!impact.in_range) times.outside_speed = std::max(times.outside_speed, speed);
     });
   }
   return times;

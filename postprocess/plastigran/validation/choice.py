@@ -36,8 +36,8 @@ def _errors(
 ) -> dict[tuple[str, str], pd.DataFrame]:
     """Return a table with the columns law and error for each regime and quantity.
 
-    `rebounds` contains tables of `steel.rebounds`. Each key of `rebounds` is the end of the names
-    of its regimes.
+    `rebounds` contains tables of `steel.rebounds`. The name of each of their regimes ends with the
+    key of the table.
     """
     errors = {}
     for regime, (contact, lowest, highest) in SPHERE_REGIMES.items():

@@ -25,7 +25,7 @@ from plastigran.experiments.central import CentralImpact
 HELP = "check the installation with an impact of a sphere"
 EXAMPLE = "plastigran doctor"
 
-#: Largest allowed relative difference of the restitution between LIGGGHTS and theory, at the
+#: Largest allowed relative difference of the restitution between host and theory, at the
 #: recommended time step.
 TOLERANCE = 1e-3
 #: Commands that need each optional package, by name of the package.
