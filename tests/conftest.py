@@ -18,6 +18,7 @@ import contact_constants
 import pytest
 from attrs import evolve
 from elastic_contact import NOT_HERTZIAN
+from engine_laws import MODELS, one_per_history
 from engine_marker import mark
 from hypothesis import settings
 from references import impacts
@@ -33,12 +34,7 @@ from plastigran.usable_laws import laws_for
 # Laws that begin with an elastic contact and have no adhesion; other laws have their own tests.
 ELASTIC_FIRST = {n for n, law in laws.LAWS.items() if law.elastic_first and not law.adhesive}
 # The laws of ELASTIC_FIRST that have a model in LIGGGHTS.
-ENGINE_LAWS = sorted(
-    ELASTIC_FIRST.intersection(
-        line.split()[0]
-        for line in (PROJECT / "contact_models/liggghts/plugin/laws.txt").read_text().splitlines()
-    )
-)
+ENGINE_LAWS = sorted(ELASTIC_FIRST.intersection(MODELS))
 
 
 # Random paths: always the same in `./run test`, different in each `./run search`.
@@ -105,11 +101,7 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
     if "history_law" in metafunc.fixturenames:
         metafunc.parametrize("history_law", [*ENGINE_LAWS, "thornton at a rate"])
     if "stored_law" in metafunc.fixturenames:
-        one = {
-            (laws.LAWS[name].state_names, laws.LAWS[name].rate_dependent): name
-            for name in ENGINE_LAWS
-        }
-        metafunc.parametrize("stored_law", [*one.values(), "thornton at a rate"])
+        metafunc.parametrize("stored_law", [*one_per_history(ENGINE_LAWS), "thornton at a rate"])
 
 
 @pytest.fixture

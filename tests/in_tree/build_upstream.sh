@@ -1,10 +1,10 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-2.0-or-later
 #
-# Build upstream LIGGGHTS with our models in its source tree, in the folder WORK. The last line on
-# stdout is the path of the binary; all other output goes to stderr.
+# Build upstream LIGGGHTS with the given laws in its source tree, in the folder WORK. The last line
+# on stdout is the path of the binary; all other output goes to stderr.
 #
-#   build_upstream.sh WORK
+#   build_upstream.sh WORK LAW...
 #
 # Earlier results in WORK stay. The script does nothing if our files are older than the last build;
 # otherwise it compiles only the changed files.
@@ -13,11 +13,13 @@ exec 3>&1 1>&2
 
 fail() { printf 'ERROR: %s\n' "$*"; exit 1; }
 
-[ $# = 1 ] || fail "usage: $0 WORK"
+[ $# -ge 2 ] || fail "usage: $0 WORK LAW..."
 here=$(cd "$(dirname "$0")" && pwd)
 models=$here/../../contact_models
 mkdir -p "$1"
 work=$(cd "$1" && pwd)
+shift
+laws=$*
 # Of several test processes, the first builds and the others wait.
 exec 9>"$work/lock"
 flock 9
@@ -40,7 +42,12 @@ unpack() {
   # The combinations of LIGGGHTS' own models; an empty list uses the generic class and saves half a
   # minute per build.
   : >style_contact_model.whitelist
-  touch "$tree/unpacked"
+  echo "$laws" >"$tree/unpacked"
+}
+
+# Returns true if this script and its laws are those of the unpacked tree.
+tree_is_current() {
+  [ "$tree/unpacked" -nt "$here/build_upstream.sh" ] && [ "$(cat "$tree/unpacked")" = "$laws" ]
 }
 
 # Precompile the headers of nearly every source, without MPI's unused C++ classes; this
@@ -53,6 +60,17 @@ precompile() {
   # shellcheck disable=SC2046,SC2086
   c++ $flags $(mpicxx --showme:compile) -I"$tree/src" -x c++-header "$work/common.h" \
     -o "$work/common.h.gch"
+}
+
+# Other laws compile the same templates. They would only lengthen the build.
+remove_other_laws() {
+  for file in "$tree"/src/law_*.cpp; do
+    law=$(basename "$file" .cpp)
+    law=${law#law_}
+    case " $laws " in *" $law "*) continue ;; esac
+    rm "$file"
+    sed -i "/^LAW($law)$/d" "$tree/src/registered.inc"
+  done
 }
 
 # Superquadrics are on as in LIGGGHTS' `make auto`, and off in Debian's package: between them the
@@ -71,11 +89,12 @@ build() {
 }
 
 # The stamp has the time of the start of the build, so that an edit during a build counts.
-if [ ! -e "$work/built" ] ||
+if [ ! -e "$work/built" ] || ! tree_is_current ||
   [ -n "$(find "$models" "$here" \( -name '*.h' -o -name '*.cpp' -o -name '*.in' -o -name '*.txt' -o -name '*.sh' \) -newer "$work/built")" ]; then
   touch "$work/begun"
-  [ "$tree/unpacked" -nt "$here/build_upstream.sh" ] || unpack
+  tree_is_current || unpack
   "$models/in_tree/install.sh" "$tree"
+  remove_other_laws
   build
   mv "$work/begun" "$work/built"
 fi

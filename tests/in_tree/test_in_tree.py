@@ -7,6 +7,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
+from engine_laws import IN_TREE_LAWS, MODELS
 
 from plastigran import laws
 from plastigran.engine.dumps import read_dump
@@ -14,15 +15,12 @@ from plastigran.engine.log import read_thermo
 from plastigran.engine.process import command, inputs_folder
 from plastigran.experiments.collide import IMPACTS
 from plastigran.experiments.collision import measure
-from plastigran.materials import has_constants, has_surface_energy
+from plastigran.materials import has_surface_energy
 
 TESTS = Path(__file__).parents[1]
 PROJECT = TESTS.parent
 INSTALL = PROJECT / "contact_models/in_tree/install.sh"
 PLUGIN = PROJECT / "build/liggghts-plastigran"
-MODELS = re.findall(
-    r"^([a-z]\w*) ", (PROJECT / "contact_models/liggghts/plugin/laws.txt").read_text(), re.MULTILINE
-)
 COMBINATIONS = len(
     re.findall(
         "^[A-Z]",
@@ -56,8 +54,7 @@ def run_both(in_tree, deck: Path, variables: dict[str, object], folder: Path) ->
     ("law", "deck"),
     [
         (law, f"{deck}.in")
-        for law in MODELS
-        if has_constants(law)  # the decks define no constants of contacts
+        for law in IN_TREE_LAWS
         for deck in IMPACTS[laws.LAWS[law].shape].geometries
     ],
 )
