@@ -15,14 +15,17 @@ from plastigran.papers.dosta24.beds import energy_table, run_beds, softened_grai
 from plastigran.papers.dosta24.published import silo
 from plastigran.plot.style import COLOURS, styled, subplots
 
-#: Mean discharge rates of the eight codes by orifice, in thousand grains per second.
+#: Mean discharge rates of the eight codes by orifice, in thousand grains per second: until the silo
+#: is empty, or until 5 s.
 RATES = {"large": 23.2, "small": 7.7}
 #: Settings of all runs: softened grains, and a time step nine times as long as in the benchmark. A
 #: softening factor of 1/500 would raise the rate by 5 %. The run ends when the rate is measured.
 SOFT = softened_grains(0.01) | {"timestep": 1.35e-5, "duration": 0.25, "settling": 0.1}
 SOFT |= {"rows": 25, "checkpoints": 5}
-#: Settings of a run that lasts until the silo is nearly empty, by orifice and label of `CONTACTS`.
-LONG = {("large", "hertz"): {"duration": 4, "rows": 200, "checkpoints": 20}}
+#: Settings of a run that lasts until the silo is empty, by orifice and label of `CONTACTS`.
+LONG = {("large", "hertz"): {"duration": 4.4, "rows": 220, "checkpoints": 22}}
+#: Fraction of the grains that remain in a silo that counts as empty.
+EMPTY = 1e-3
 #: Labels of `CONTACTS` by orifice.
 LAWS = {"large": ("hertz", "thornton"), "small": ("hertz",)}
 #: Line styles of other codes.
@@ -66,24 +69,48 @@ def compute(
 def rates(data: Runs) -> pd.DataFrame:
     """Return the discharge rates in thousand grains per second.
 
-    Each orifice has one row for each end time of our runs. The rates of other codes with the
-    published filling are measured in the same interval of time.
+    Each orifice has two rows: the mean rate over the whole discharge (`whole_rate`), and the rate
+    from `settling` until the end of our shortest run.
     """
     rows = []
     for orifice in dict.fromkeys(orifice for orifice, _ in data):
-        ours = {label: runs for (other, label), runs in data.items() if other == orifice}
-        ends = {label: runs[0].series["time"].iloc[-1] for label, runs in ours.items()}
-        start = next(iter(ours.values()))[0].deck.settling
-        for end in sorted(set(ends.values()), reverse=True):
-            row = {"orifice": orifice, "from (s)": start, "to (s)": round(end, 2)}
-            for label, runs in ours.items():
-                if ends[label] >= end:
-                    row[label] = np.mean([_rate(run.series, start, end) for run in runs])
-            row["eight codes"] = RATES[orifice]
-            for code, series in silo(orifice).items():
-                row[f"{code}, published filling"] = _rate(series, start, end)
-            rows.append(row)
-    return pd.DataFrame(rows)
+        series = {
+            label: [run.series for run in runs]
+            for (other, label), runs in data.items()
+            if other == orifice
+        }
+        start = data[orifice, next(iter(series))][0].deck.settling
+        end = min(one["time"].iloc[-1] for several in series.values() for one in several)
+        published = {f"{code}, published filling": [s] for code, s in silo(orifice).items()}
+        empty = {
+            label: several for label, several in series.items() if all(map(_is_empty, several))
+        }
+        rows.append(
+            {"orifice": orifice, "from (s)": 0, "to": "empty or end", "eight codes": RATES[orifice]}
+            | {name: np.mean([*map(whole_rate, s)]) for name, s in (empty | published).items()}
+        )
+        rows.append(
+            {"orifice": orifice, "from (s)": start, "to": f"{end:.2f} s"}
+            | {
+                name: np.mean([_rate(one, start, end) for one in several])
+                for name, several in (series | published).items()
+            }
+        )
+    first = ["orifice", "from (s)", "to", *dict.fromkeys(label for _, label in data), "eight codes"]
+    table = pd.DataFrame(rows)
+    return table.reindex(columns=[*first, *(name for name in table if name not in first)])
+
+
+def _is_empty(series: pd.DataFrame) -> bool:
+    """Return whether the silo is empty at the end of a run."""
+    return series["held"].iloc[-1] <= EMPTY * series["held"].iloc[0]
+
+
+def whole_rate(series: pd.DataFrame) -> float:
+    """Return the rate until the silo is empty, or until the end of the run."""
+    remaining = series["held"] > EMPTY * series["held"].iloc[0]
+    last = min(remaining.sum(), len(series) - 1)
+    return _rate(series, 0, series["time"].iloc[last])
 
 
 def _rate(series: pd.DataFrame, start: float, end: float) -> float:
