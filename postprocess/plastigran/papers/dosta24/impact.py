@@ -23,7 +23,7 @@ EIGHT_CODES_BED = 25000
 #: Numbers of grains of the published beds.
 PUBLISHED_BEDS = (25000, 50000, 100000)
 #: Number of random beds, by number of grains and label of `CONTACTS`.
-BEDS = {25000: {"hertz": 5, "thornton": 1}, 50000: {"hertz": 1}, 100000: {"hertz": 1}}
+BEDS = {25000: {"hertz": 5, "thornton": 1}, 50000: {"hertz": 1}, 100000: {"hertz": 2}}
 #: Settings of all runs. The time step is twice as long as in the paper. In the bed of the eight
 #: codes, the ball flies freely before the end.
 FULL = {"timestep": 1e-6, "duration": 0.05, "rows": 100}
