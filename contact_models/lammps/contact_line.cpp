@@ -50,13 +50,20 @@ Complaint read_material(const std::string& name, Body& body) {
     return Complaint("body: there is no file " + name +
                      "; give the path of a file with lines `variable NAME index VALUE`");
   std::string line;
+  std::set<std::string> given;
   while (std::getline(file, line)) {
     std::istringstream words(line.substr(0, line.find('#')));
     std::string command, constant, style, value;
     if (!(words >> command >> constant >> style >> value) || command != "variable") continue;
+    if (!given.insert(constant).second)
+      return Complaint("body: " + name + " defines {" + constant + "} twice; define it once");
     if (const BodyConstant* const entry = body_constant(constant))
       if (!to_number(value, body.*entry->value)) return not_a_number(constant, value);
   }
+  for (const std::string constant : {"youngs_modulus", "poissons_ratio"})
+    if (!given.count(constant))
+      return Complaint("body: " + name + " does not define {" + constant +
+                       "}; add a line `variable " + constant + " index VALUE`");
   return {};
 }
 

@@ -113,6 +113,9 @@ void PairStyle::coeff(int count, char** words) {
                  word, atom->ntypes);
     bodies[k] = line_of(static_cast<int>(type)).body;
   }
+  if (std::stoi(words[0]) == std::stoi(words[1]))
+    error->all(FLERR, "pair_coeff {} {}: `mixed` needs two different atom types", words[0],
+               words[1]);
   add_model(words[0], words[1], line, bodies[0], bodies[1]);
 }
 

@@ -11,11 +11,13 @@
 #include <mpi.h>
 
 #include <array>
+#include <cstdio>
 #include <cstring>
 #include <string>
 #include <vector>
 
 #include "atom.h"
+#include "comm.h"
 #include "domain.h"
 #include "lammps.h"
 #include "lammps/granular_interface.h"
@@ -45,6 +47,7 @@ class WallLine {
   // invalid.
   void make_laws();
   const NormalModel::Laws& laws() const { return laws_; }
+  const std::string& law_name() const { return line_.law; }
   const TangentialLine& tangential() const { return line_.tangential; }
 
  private:
@@ -63,7 +66,7 @@ class WallStyle : private WallLine, public LammpsWall, public ContactTally {
       : WallLine(lammps, count, words), LammpsWall(lammps, WallLine::count(), WallLine::words()) {
     NormalModel::replace(this->model, lammps, laws(), tangential(), *this);
     this->size_history = history_size();
-    this->use_history = this->restart_peratom = 1;
+    this->use_history = this->restart_peratom = this->restart_global = 1;
     this->memory->destroy(this->history_one);  // LAMMPS allocated it for its own model
     this->grow_arrays(this->atom->nmax);
     for (int i = 0; i < this->atom->nlocal; ++i) this->set_arrays(i);
@@ -91,6 +94,24 @@ class WallStyle : private WallLine, public LammpsWall, public ContactTally {
     normal->count_in(RunTimeChecks::of(this->lmp).account(*normal->laws().front()));
   }
 
+  // Writes law and models to the restart file.
+  void write_restart(FILE* file) override {
+    if (this->comm->me != 0) return;
+    const std::string text = law_and_models();
+    const int size = static_cast<int>(text.size()) + 1;
+    std::fwrite(&size, sizeof size, 1, file);
+    std::fwrite(text.c_str(), 1, static_cast<std::size_t>(size), file);
+  }
+
+  // Stops if contacts would continue with the history of other models.
+  void restart(char* text) override {
+    if (law_and_models() != text)
+      this->error->all(FLERR,
+                       "fix {}: the restart file has another law or other models; the contacts "
+                       "would keep the old history, so change only constants",
+                       this->id);
+  }
+
   void setup(int vflag) override {
     LammpsWall::setup(vflag);
     const auto* const normal = static_cast<NormalModel*>(this->model->normal_model);
@@ -116,6 +137,12 @@ class WallStyle : private WallLine, public LammpsWall, public ContactTally {
   }
 
  private:
+  std::string law_and_models() const {
+    std::string text = law_name();
+    for (const auto* const part : this->model->sub_models)
+      text += ' ' + part->name + ' ' + std::to_string(part->size_history);
+    return text;
+  }
   // Returns the number of history values of a contact. If contacts can stretch, LAMMPS stores in an
   // additional first value whether the bodies touch.
   int history_size() const {

@@ -76,6 +76,10 @@ def script(lines: str) -> str:
             "with the atom type `7`; give two single atom types, 1 to 2",
         ),
         (f"{PAIR}pair_coeff 1 2 thornton mixed {FRICTION}", "has no body; give `pair_coeff"),
+        (
+            f"{GOOD}pair_coeff 1 1 thornton mixed {FRICTION}",
+            "pair_coeff 1 1: `mixed` needs two different atom types",
+        ),
         (f"{TWO}universal {BODY} {FRICTION}", "types 1 and 2 have different laws, constants or"),
         (f"{TWO}thornton {BODY} tangential mindlin NULL 1.0 0.5", "types 1 and 2 have different"),
         (
@@ -142,6 +146,16 @@ def script(lines: str) -> str:
             "new pair_coeff lines move the values of the contact history",
         ),
         (
+            f"{GOOD}{WALL}thornton rigid {FRICTION} xplane 0 NULL\n{RESTART}"
+            f"{WALL}stronge rigid {FRICTION} xplane 0 NULL",
+            "fix floor: the restart file has another law or other models",
+        ),
+        (
+            f"{GOOD}{WALL}thornton rigid {FRICTION} xplane 0 NULL\n{RESTART}"
+            f"{WALL}thornton rigid tangential partial_slip 0.5 xplane 0 NULL",
+            "fix floor: the restart file has another law or other models",
+        ),
+        (
             f"{GOOD}{WALL}thornton rigid {FRICTION} xplane 0 NULL\n"
             f"pair_coeff * * thornton {BODY} rate_coefficient 0.01 {FRICTION}",
             "new pair_coeff lines change the number of history values",
@@ -155,6 +169,24 @@ def script(lines: str) -> str:
 def test_a_wrong_line_is_refused(lines, message, tmp_path):
     with pytest.raises(EngineError) as error:
         run(tmp_path, script(lines))
+    assert message in str(error.value)
+
+
+@pytest.mark.parametrize(
+    ("lines", "message"),
+    [
+        (["youngs_modulus index 7e10"], "does not define poissons_ratio; add a line"),
+        (
+            ["youngs_modulus index 7e10", "poissons_ratio index 0.3", "poissons_ratio index 0.2"],
+            "defines poissons_ratio twice; define it once",
+        ),
+    ],
+)
+def test_a_wrong_material_file_is_refused(lines, message, tmp_path):
+    file = tmp_path / "metal.in"
+    file.write_text("".join(f"variable {line}\n" for line in lines))
+    with pytest.raises(EngineError) as error:
+        run(tmp_path / "run", script(line(f"hertz body {file}")))
     assert message in str(error.value)
 
 
