@@ -1,30 +1,25 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Base class of experiments: inputs, run and table row of a case, and studies of many cases.
+"""Base class of experiments, which adds studies of many cases to the class `Case`.
 
 docs/add_an_experiment.md shows how to write an experiment.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from itertools import product
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import Any, ClassVar
 
 import attrs
 import pandas as pd
 
 from plastigran.declared import declarations
-from plastigran.engine.process import inputs_folder, run_deck, typed_command
-from plastigran.engine.versions import HOSTS
+from plastigran.experiments.case import Case
 from plastigran.experiments.fields import Flag, several
 from plastigran.experiments.runs import Runs, sweep
-from plastigran.experiments.tables import format_range, format_table
-from plastigran.materials import Material, read_material
+from plastigran.materials import read_material
 from plastigran.usable_laws import choose_laws
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 
 def combinations(values: Mapping[str, Any]) -> list[dict[str, Any]]:
@@ -38,124 +33,23 @@ def combinations(values: Mapping[str, Any]) -> list[dict[str, Any]]:
 
 
 @attrs.frozen
-class Experiment:
+class Experiment(Case):
     """One case of an experiment. The fields are its inputs, declared with units and bounds.
 
     A subclass must define `deck` and `measure`. A subclass with a `command` is also a command of
     `plastigran`.
 
     Attributes:
-        command: Name of the command of the experiment.
         help: Purpose of the command, in one line.
         example: Example of the command; by default the command with its required flags.
-        host: Program that runs the deck, one of `plastigran.engine.versions.HOSTS`.
-        deck: Path of the input script, relative to the folder of input scripts.
-        shape: Shape of the bodies, "sphere" or "cylinder".
         has_theory: Whether `theory` can compute the impacts without LIGGGHTS.
         flags: Settings of the command by name; by default the declared fields.
-        quantities: Attributes of the outcome that become table columns.
-        shown: Columns that are printed; by default all.
     """
 
-    command: ClassVar[str] = ""
     help: ClassVar[str] = ""
     example: ClassVar[str] = ""
-    host: ClassVar[str] = "liggghts"
-    deck: ClassVar[str]
-    shape: ClassVar[str] = "sphere"
     has_theory: ClassVar[bool] = False
     flags: ClassVar[Mapping[str, Flag]] = {}
-    quantities: ClassVar[tuple[str, ...]] = ()
-    shown: ClassVar[tuple[str, ...]] = ()
-
-    def _inputs(self) -> dict[str, Any]:
-        return {name: getattr(self, name) for name in declarations(type(self))}
-
-    def variables(self) -> dict[str, object]:
-        """Return the deck variables of this case. A material contributes its constants by name."""
-        variables: dict[str, object] = {}
-        for name, value in self._inputs().items():
-            if isinstance(value, Material):
-                suffix = attrs.fields_dict(type(self))[name].metadata["suffix"]
-                variables |= value.variables(suffix)
-            else:
-                variables[name] = value
-        return variables
-
-    @property
-    def label(self) -> str:
-        """Part of the name of the folder of this case in a sweep."""
-        return self.command or type(self).__name__
-
-    @property
-    def timestep(self) -> float | None:
-        """Time step [s]; None to use the time step of the deck."""
-        return None
-
-    def predict(self) -> Any:
-        """Return the outcome predicted by theory; None if there is no theory."""
-        return None
-
-    def measure(self, folder: Path) -> Any:
-        """Read the outcome from the files that the deck wrote to `folder`.
-
-        Raises:
-            ValueError: The files do not contain a complete outcome.
-        """
-        raise NotImplementedError
-
-    def facts(self) -> dict[str, object]:
-        """Return the columns that identify the case: its fields, with materials by name."""
-        inputs = self._inputs().items()
-        return {k: v.name if isinstance(v, Material) else v for k, v in inputs}
-
-    def notes(self, measured: Any, predicted: Any) -> dict[str, object]:
-        """Return additional columns of the results table."""
-        return {}
-
-    def row(self, measured: Any) -> dict[str, object]:
-        """Return one row of the results table: the case, measured values and predicted values."""
-        predicted, row = self.predict(), self.facts()
-        for name in self.quantities:
-            row[name] = getattr(measured, name)
-            if (expected := getattr(predicted, name, None)) is not None:
-                row[f"{name}_predicted"] = expected
-        return row | self.notes(measured, predicted)
-
-    def theory_row(self, predicted: Any) -> dict[str, object]:
-        """Return one row of the table of a study by theory alone: the case and predicted values."""
-        names = (*self.quantities, "in_range")
-        values = {name: getattr(predicted, name, None) for name in names}
-        return self.facts() | {name: value for name, value in values.items() if value is not None}
-
-    def _deck_variables(self, timestep: float | None = None) -> dict[str, object]:
-        timestep = self.timestep if timestep is None else timestep
-        return self.variables() | ({} if timestep is None else {"timestep": timestep})
-
-    def command_line(self, folder: Path) -> str:
-        """Return shell commands that run the deck with results in `folder`."""
-        deck, host = inputs_folder() / self.deck, HOSTS[self.host]
-        return typed_command(deck, self._deck_variables(), folder, folder, host=host)
-
-    def run(
-        self, folder: str | Path, timestep: float | None = None, ranks: int = 1, **variables: object
-    ) -> Any:
-        """Run the deck and measure the outcome.
-
-        Args:
-            folder: Folder of the results.
-            timestep: Time step [s]; by default the time step of the case.
-            ranks: Number of MPI ranks.
-            variables: Further variables of the deck, such as `gap`, the initial distance between
-                the surfaces [m].
-
-        Raises:
-            EngineError: The host stopped with an error.
-            ValueError: The files do not contain a complete outcome.
-        """
-        settings = self._deck_variables(timestep) | variables
-        run_deck(self.deck, settings, folder, ranks, host=HOSTS[self.host])
-        return self.measure(Path(folder))
 
     @classmethod
     def plan(cls, **values: Any) -> list[Experiment]:
@@ -238,21 +132,3 @@ class Experiment:
         outcomes = {case: case.predict() for case in cls.cases(**settings)}
         table = pd.DataFrame(case.theory_row(outcome) for case, outcome in outcomes.items())
         return Runs(cls, outcomes, table, settings, by_theory=True)
-
-    @classmethod
-    def tables(cls, runs: Runs) -> dict[str, pd.DataFrame]:
-        """Return further tables of the runs, by name."""
-        return {}
-
-    @classmethod
-    def figures(cls, runs: Runs) -> dict[str, Callable[[], Figure]]:
-        """Return functions that draw the figures of the runs, by name."""
-        return {}
-
-    @classmethod
-    def summary(cls, runs: Runs) -> str:
-        """Return the printed summary: the results table, and the laws used outside their range."""
-        text = [format_table(runs.table, cls.shown)]
-        if "in_range" in runs.table:
-            text.append(format_range(runs.table))
-        return "\n".join(filter(None, text))

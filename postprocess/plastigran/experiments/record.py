@@ -9,15 +9,13 @@ from collections.abc import Iterable, Mapping
 from io import StringIO
 from math import isnan
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import attrs
 import pandas as pd
 
+from plastigran.experiments.case import Case
 from plastigran.materials import Material
-
-if TYPE_CHECKING:
-    from plastigran.experiments.base import Experiment
 
 #: Name of the file with the results table of a sweep.
 TABLE = "impacts.csv"
@@ -120,7 +118,7 @@ def _is_text(name: str, value: object) -> bool:
 
 def write_study(
     folder: Path,
-    cases: list[Experiment],
+    cases: list[Case],
     settings: Mapping[str, Any],
     made_with: Mapping[str, str],
     by_theory: bool = False,
@@ -144,7 +142,7 @@ def _plain(value: Any) -> list | str:
     return list(value) if isinstance(value, Iterable) else str(getattr(value, "name", value))
 
 
-def materials_of(cases: Iterable[Experiment]) -> dict[str, Material]:
+def materials_of(cases: Iterable[Case]) -> dict[str, Material]:
     """Return the materials of all bodies by name.
 
     Raises:

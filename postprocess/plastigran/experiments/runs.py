@@ -18,13 +18,12 @@ import pandas as pd
 
 from plastigran.engine.folder_lock import lock_folder
 from plastigran.engine.versions import versions
+from plastigran.experiments.case import Case
 from plastigran.experiments.record import STUDY, TABLE, add_row, materials_of, write_study
 from plastigran.progress import ProgressBar
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-
-    from plastigran.experiments.base import Experiment
 
 
 @attrs.frozen(slots=False, eq=False, repr=False)
@@ -34,19 +33,19 @@ class Runs:
     Attributes:
         experiment: Class of the cases.
         outcomes: Outcome of each case, measured or predicted.
-        table: One row per case, in the given order; columns of `Experiment.row`.
+        table: One row per case, in the given order; columns of `Case.row`.
         settings: Settings of the study, if any.
         by_theory: Whether theory predicted the outcomes, without LIGGGHTS.
     """
 
-    experiment: type[Experiment]
-    outcomes: Mapping[Experiment, Any]
+    experiment: type[Case]
+    outcomes: Mapping[Case, Any]
     table: pd.DataFrame
     settings: Mapping[str, Any] = attrs.field(factory=dict)
     by_theory: bool = False
 
     @property
-    def cases(self) -> list[Experiment]:
+    def cases(self) -> list[Case]:
         """Cases of the sweep."""
         return list(self.outcomes)
 
@@ -114,7 +113,7 @@ class Runs:
 
 
 def sweep(
-    cases: Iterable[Experiment],
+    cases: Iterable[Case],
     folder: str | Path,
     jobs: int | None = None,
     progress: bool = True,
@@ -156,7 +155,7 @@ def sweep(
     return Runs(type(cases[0]), outcomes, table, settings)
 
 
-def case_folders(cases: Iterable[Experiment], folder: Path) -> list[Path]:
+def case_folders(cases: Iterable[Case], folder: Path) -> list[Path]:
     """Return the folder of each case of a sweep."""
     return [folder / "runs" / f"{number:04d}_{case.label}" for number, case in enumerate(cases)]
 
@@ -182,11 +181,11 @@ def claim(folder: Path, force: bool) -> Iterator[None]:
 
 
 def _run(
-    cases: list[Experiment], folder: Path, jobs: int | None, progress: bool
-) -> tuple[dict[Experiment, Any], pd.DataFrame]:
+    cases: list[Case], folder: Path, jobs: int | None, progress: bool
+) -> tuple[dict[Case, Any], pd.DataFrame]:
     """Run the cases; return their outcomes and the results table, both in the given order."""
-    outcomes: dict[Experiment, Any] = {}
-    rows: dict[Experiment, dict[str, object]] = {}
+    outcomes: dict[Case, Any] = {}
+    rows: dict[Case, dict[str, object]] = {}
     failures: list[Exception] = []
     pool = ThreadPoolExecutor(jobs or os.cpu_count())
     folders = zip(cases, case_folders(cases, folder), strict=True)
