@@ -12,13 +12,11 @@ namespace plastigran {
 // the largest ratio of overlap to limit.
 inline std::string range_warning(const std::string& range, double contacts, double furthest) {
   std::ostringstream text;
-  // Elastic contacts are reported without a count: their state does not record whether they were
-  // counted before.
-  if (contacts == 0)
-    text << "contacts that have not yielded exceed";
-  else
-    text << contacts << " contacts have exceeded";
-  text << " the validity range of the law (" << range << "). The largest overlap was " << furthest
+  // The count lacks elastic contacts, because their state does not record whether they were counted
+  // before. In LIGGGHTS, it also lacks contacts counted before a restart.
+  if (contacts > 0) text << contacts << ' ';
+  text << "contacts have exceeded the validity range of the law (" << range
+       << "). The largest overlap was " << furthest
        << " times the limit. Use a law with a larger range, or lower the load";
   return text.str();
 }

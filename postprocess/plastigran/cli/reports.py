@@ -68,7 +68,8 @@ def run_evidence(evidence: Evidence, head: str, arguments: argparse.Namespace) -
     if not arguments.json:
         print(head)
         for name in evidence.tables:
-            print(f"\n{name}\n{to_markdown(findings.tables[name])}", end="")
+            if len(findings.tables[name]):
+                print(f"\n{name}\n{to_markdown(findings.tables[name])}", end="")
     written = findings.write(folder)
     if arguments.docs:
         written += publish(evidence, findings, written, arguments.docs)
