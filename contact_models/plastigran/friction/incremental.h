@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Incremental tangential force without slip at the edge of the contact: Thornton, Cummins & Cleary
-// 2013 (Powder Technol. 233:30), eq. 18b. In LAMMPS, this law is `mindlin_rescale/force`.
+// Incremental tangential force T without slip at the edge of the contact: Thornton, Cummins &
+// Cleary 2013 (Powder Technol. 233:30), eq. 18b. In LAMMPS, this law is `mindlin_rescale/force`.
 //
 //   T += 8 G* a ds              displacement increment ds
 //   T *= a_new/a_old            while the contact radius a decreases

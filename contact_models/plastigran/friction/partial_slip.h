@@ -36,8 +36,9 @@ class PartialSlip {
   static constexpr const char* range = "with many rings, exact for elastic spheres";
   static constexpr int least_rings = 2, most_rings = capacity, default_rings = 4;
 
-  // The edge of a ring is stored as p = F^(1/3), where F is the normal force at the edge. Then
-  // h = c p^2. The vector D is stored in the frame of the contact.
+  // Ring of the contact area. Its outer edge is stored as p = F^(1/3), where F is the normal force
+  // at which the contact area reaches this edge. Then h = c p^2. D is the tangential force of the
+  // ring divided by its normal force, as a vector in the frame of the contact.
   struct Ring {
     double edge;  // p = F^(1/3) at the outer edge; 0 if there is no ring
     double x, y;  // D
@@ -136,9 +137,9 @@ class PartialSlip {
   PLASTIGRAN_DEVICE static Plane share(const Ring& ring) { return {ring.x, ring.y}; }
   PLASTIGRAN_DEVICE static double cube(double p) { return p * p * p; }
 
-  // Returns force^(1/3), with the estimate `near`. If the relative difference of force and near^3
-  // is below 1/64, a series about near^3 is exact to round-off. Up to a difference of 0.45, a step
-  // of Halley's method first improves `near`.
+  // Returns force^(1/3), starting from the estimate `near`. If the relative difference of force and
+  // near^3 is below 1/64, a series about near^3 is exact to round-off. Up to a difference of 0.45,
+  // a step of Halley's method first improves `near`.
   PLASTIGRAN_DEVICE static double cube_root(double force, double near) {
     double x = near > 0 ? force / cube(near) - 1 : 1;
     if (std::abs(x) > 1.0 / 64) {
@@ -153,7 +154,8 @@ class PartialSlip {
     return near + near * (x * (low + x2 * (high + x2 * (highest + x2 * a7))));
   }
 
-  // Tangential force T and stored energy U/c of rings, summed from the middle outward.
+  // Tangential force T of rings, and their stored energy divided by the compliance c. The rings are
+  // summed from the middle outward.
   struct Sum {
     Plane force;
     double energy = 0;
@@ -188,7 +190,8 @@ class PartialSlip {
     PLASTIGRAN_DEVICE void scale(double factor) {
       for (int k = 0; k < count; ++k) ring[k].x *= factor, ring[k].y *= factor;
     }
-    // Limits every D to the length `largest`, with a tolerance for round-off.
+    // Limits the vector D of every ring to the length `largest`, with a tolerance for round-off. D
+    // is the tangential force of the ring divided by its normal force.
     PLASTIGRAN_DEVICE void limit(double largest) {
       for (int k = 0; k < count; ++k) {
         const double square = dot(share(ring[k]), share(ring[k]));
@@ -211,7 +214,8 @@ class PartialSlip {
       return now / hysteresis;
     }
 
-    // Removes the rings above p = `top`. Returns their displacement divided by c.
+    // Removes the rings outside the edge F^(1/3) = `top`, where F is the normal force. Returns the
+    // tangential displacement of the removed rings, divided by the compliance c.
     PLASTIGRAN_DEVICE Plane cut(double top) {
       Plane held;
       while (count > 0 && edge(count - 1) > top) {
@@ -226,7 +230,8 @@ class PartialSlip {
       return held;
     }
 
-    // Returns the change of U/c if rings k and k + 1 merge and keep their tangential force.
+    // Returns the change of the stored energy, divided by the compliance c, if rings k and k + 1
+    // merge and keep their tangential force.
     PLASTIGRAN_DEVICE double rise(int k) const {
       const Sum below = sum(k);
       Sum apart = below, merged = below;
@@ -254,10 +259,10 @@ class PartialSlip {
       return dot(difference, difference) * (width * width);
     }
 
-    // Merges two neighboring rings: among the pairs that raise the energy by at most 1/1000, the
-    // pair whose displacement changes least. If there is no such pair, merges the pair that raises
-    // the energy least. A small slip then removes the added energy: every D decreases until the
-    // energy is as before.
+    // Merges two neighboring rings: among the pairs whose merger raises the stored energy by at
+    // most 1/1000, the pair whose displacement changes least. If there is no such pair, merges the
+    // pair that raises the energy least. A small slip then removes the added energy: every D
+    // decreases until the energy is as before.
     PLASTIGRAN_DEVICE void merge_one() {
       int best = 0;
       double least = change(0);
@@ -276,7 +281,8 @@ class PartialSlip {
       --count;
     }
 
-    // Returns the index of the pair that merge_one() merges. Sets `raised` to its energy increase.
+    // Returns the index k of the pair of rings k and k + 1 that merge_one() merges. Sets `raised`
+    // to the energy that the merger adds.
     PLASTIGRAN_DEVICE int admissible_pair(double admissible, double& raised) const {
       int best = 0;
       double least = change(0);
@@ -315,7 +321,8 @@ class PartialSlip {
       const double wider = width + thickness;
       const double remaining = dot(whole, whole) - limit * (wider * wider);
       if (remaining <= 0) {
-        // The slip ends at a depth t in the ring: |wanted + D t| = mu (width + t).
+        // Slip ends inside this ring, at the depth t from its outer edge where |wanted + D t| = mu
+        // (width + t).
         const double a = dot(d, d) - limit, b = dot(wanted, d) - limit * width;
         const double root = b * b - a * excess;
         const double depth = excess / (std::sqrt(root > 0 ? root : 0) - b);

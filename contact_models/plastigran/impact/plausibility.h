@@ -14,10 +14,10 @@ namespace plastigran {
 // Returns why the constants of a body are implausible; empty if they are plausible. `pascal` is the
 // value of 1 Pa in the pressure unit of the constants.
 //
-// Modulus: LIGGGHTS requires 5 MPa, and solids below 1 MPa are gels. Strength: the ideal strength
-// of a solid is about a tenth of its modulus and never reaches a third (Kelly & Macmillan, Strong
-// Solids, 1986). The yield strength of pure annealed metals is 1e-4 of the modulus; no metal is
-// below 2e-5. Bodies beyond `rigid_modulus` are not checked.
+// Modulus: LIGGGHTS requires at least 5 MPa, and solids below 1 MPa are gels. Strength: the ideal
+// strength of a solid is about a tenth of its modulus and never reaches a third (Kelly & Macmillan,
+// Strong Solids, 1986). The yield strength of pure annealed metals is 1e-4 of the modulus; no metal
+// is below 2e-5. Bodies beyond `rigid_modulus` are not checked.
 inline Complaint implausible(const Body& body, double pascal) {
   const double modulus = body.youngs_modulus, strength = body.yield_strength;
   const double rigid = rigid_modulus * pascal;

@@ -2,7 +2,9 @@
 //
 // Ghaednia, Marghitu & Jackson 2014 (J. Tribol. 137:011403): the law of Jackson & Green refitted to
 // the impact of a rod on a flat, with deformation of both bodies. The equations are those of
-// Ghaednia et al. 2015 (Int. J. Impact Eng. 86:307), eqs 32-34. Symbols as in jackson_green.h:
+// Ghaednia et al. 2015 (Int. J. Impact Eng. 86:307), eqs 32-34. overlap_c is the overlap at yield
+// and x = overlap/overlap_c. f is F divided by the Hertz force at overlap_c. H is the hardness, and
+// C sigma_Y the yield pressure (jackson_green.h):
 //
 //   f = exp(-0.17 x^(5/12)) x^1.5 + 4H/(C sigma_Y) (1 - exp(-x^(5/9)/78)) x^1.1   x > 1.9
 //   overlap_res = 0.8 overlap_max (1 - ((x + 5.5)/6.5)^-2)                        x > 1.9

@@ -3,7 +3,8 @@
 // Jackson & Green 2005 (J. Tribol. 127:343): flattening of an elastic-perfectly plastic sphere by a
 // rigid plane, fitted to finite elements. Residual overlap: Jackson, Green & Marghitu 2010
 // (Nonlinear Dyn. 60:217). The equations are those of Ghaednia et al. 2015 (Int. J. Impact Eng.
-// 86:307), eqs 9-14. f is F divided by the Hertz force at overlap_c:
+// 86:307), eqs 9-14. overlap_c is the overlap at yield, C sigma_Y the yield pressure, and H the
+// hardness. f is F divided by the Hertz force at overlap_c:
 //
 //   C = 1.295 exp(0.736 nu),  overlap_c = R (pi C sigma_Y/(2 E'))^2,  x = overlap/overlap_c
 //   f = x^1.5                                                             x <= 1.9

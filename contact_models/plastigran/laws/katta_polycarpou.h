@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // Katta & Polycarpou 2010 (J. Tribol. 132:041402): the cylinder of Lim & Stronge (lim_stronge.h)
-// with a smaller residual indentation and curved unloading. R, R_e, D, k, q and a as in
-// line_loading.h. Misprints are corrected.
+// with a smaller residual indentation and curved unloading. Misprints are corrected. As in
+// line_loading.h, R is the effective radius, R_e the radius of the unloaded surface, D the
+// thickness of the yielding body, and k = nu/(1-nu). q = F/(pi E* L) is the load on the length L,
+// and a is the half-width of the contact:
 //
 //   overlap_res = a_res^2/(2 R_b),   1/R_b = 1/R - 1/R_e
 //   a_res^2 = a_max^2 - a_el^2,      a_el^2 = 4 q_max/(1/R + 1/R_b)

@@ -3,8 +3,9 @@
 // Kogut & Etsion 2002 (J. Appl. Mech. 69:657): flattening of an elastic-perfectly plastic sphere by
 // a rigid plane, fitted to finite elements. Unloading: Etsion, Kligerman & Kadin 2005 (Int. J.
 // Solids Struct. 42:3716). The equations are those of Ghaednia et al. 2015 (Int. J. Impact Eng.
-// 86:307), eqs 15-19. f is F divided by the Hertz force at overlap_c, a_c is the Hertz contact
-// radius at overlap_c, and n is the exponent of unloading:
+// 86:307), eqs 15-19. overlap_c is the overlap at yield, H is the hardness, and K H the yield
+// pressure. f is F divided by the Hertz force at overlap_c, a_c is the Hertz contact radius at
+// overlap_c, and n is the exponent of unloading:
 //
 //   K = 0.454 + 0.41 nu,  H = 2.8 sigma_Y
 //   overlap_c = R* (pi K H/(2 E*))^2,  x = overlap/overlap_c

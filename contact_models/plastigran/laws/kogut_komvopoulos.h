@@ -2,7 +2,8 @@
 //
 // Kogut & Komvopoulos 2004 (J. Mater. Res. 19:3641): indentation by a rigid sphere, fitted to
 // finite elements. The equations are those of Ghaednia et al. 2015 (Int. J. Impact Eng. 86:307),
-// eqs 20-22, corrected as in docs/laws/kogut_komvopoulos.md:
+// eqs 20-22, corrected as in docs/laws/kogut_komvopoulos.md. r' is the radius at which a rigid
+// plane would cut the undeformed sphere:
 //
 //   r'^2 = overlap (2R - overlap),  t = overlap/r',  yield at (E'/sigma_Y) t = 1.78
 //   F = pi r'^2 sigma_Y N/D

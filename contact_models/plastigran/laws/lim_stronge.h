@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // Lim & Stronge 1998 (Math. Comput. Model. 28:323): a rigid cylinder on an elastic-plastic body in
-// plane strain. Loading and symbols as in line_loading.h. The equations are those of Katta &
-// Polycarpou 2010 (J. Tribol. 132:041402), with corrected misprints:
+// plane strain. Loading as in line_loading.h: R is the effective radius, R_e the radius of the
+// unloaded surface, D the thickness of the yielding body. R_b is the radius of curvature of the
+// residual indentation. The equations are those of Katta & Polycarpou 2010 (J. Tribol. 132:041402),
+// with corrected misprints:
 //
 //   overlap_res = a_max^2/(2 R_b),   1/R_b = 1/R - 1/R_e
 //   F = F_max (overlap - overlap_res)/(overlap_max - overlap_res)

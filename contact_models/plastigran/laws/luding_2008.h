@@ -11,8 +11,8 @@
 // Beyond overlap_limit, the contact is elastic: it follows its unloading line with the stiffness
 // k_2. On the adhesive limit, overlap_max decreases so that the contact stays on its unloading
 // line: overlap_max is the positive root x of x^2 - overlap x = (k_1 + k_c) overlap
-// overlap_limit/(k_2 - k_1). The force is zero without overlap. In the source, 2 R* is
-// 2 a_1 a_2/(a_1 + a_2), with the radii a_1, a_2.
+// overlap_limit/(k_2 - k_1). phi is the largest residual overlap divided by 2 R*. The force is zero
+// without overlap. In the source, 2 R* is 2 a_1 a_2/(a_1 + a_2), with the radii a_1, a_2.
 //
 //   F |          / |
 //     |        /  /        k_1, then k

@@ -2,7 +2,8 @@
 //
 // Stronge 2000 (Impact Mechanics, ch. 6): elastic, then elastic-plastic with a mean pressure that
 // rises with the logarithm of the contact radius, then fully plastic at a mean pressure of 2.8
-// sigma_Y. f is F divided by the force at yield:
+// sigma_Y. th is the mean pressure at yield divided by sigma_Y; f is F divided by the force at
+// yield:
 //
 //   a_Y = (3 pi/4) th sigma_Y R*/E*, th = 1.1;  x = overlap/overlap_Y;  q = 2x - 1 = (a/a_Y)^2
 //   f = x^1.5                  x <= 1

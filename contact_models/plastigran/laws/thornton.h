@@ -61,7 +61,7 @@ class Thornton : public NoConstants, public LargestOverlap {
     return response;
   }
 
-  // Interface for tables/adhesive.h, in yield units.
+  // Members that tables/adhesive.h needs, in yield units (overlap/overlap_y and F/F_y).
   typedef PowerOfOverlap<Thornton> Rebound;
   static constexpr bool closed_form = true;
   double elastic_range() const { return yield_overlap_ratio_; }

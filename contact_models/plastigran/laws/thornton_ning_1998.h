@@ -112,15 +112,16 @@ class ThorntonNing1998 {
     double radius, overlap;  // R_p*, overlap_p
   };
 
-  // Returns s_y and pi p_y.
+  // Returns pi p_y and s_y, the square root of the contact radius at yield.
   PLASTIGRAN_DEVICE Yield yield_of(double radius_eff) const {
     const double x = radius_eff * per_length_;
     if (!yields_.covers(x)) return computed_yield(radius_eff);
     const auto [root, pressure] = yields_(x);
     return {root_unit_ * root, pressure_ * pressure};
   }
-  // Returns s_y, the root of 2 s^3/R* - pi p_y/E* s - c = 0. If the energy guard is on and s_y is
-  // too small, increases s_y and the pressure.
+  // Computes s_y = a_y^(1/2), the root of 2 s^3/R* - pi p_y/E* s - c = 0 with
+  // c = (2 pi Gamma/E*)^(1/2). If the energy guard is on and s_y is too small, increases s_y and
+  // the pressure.
   [[gnu::noinline, gnu::cold]] PLASTIGRAN_DEVICE Yield computed_yield(double radius_eff) const {
     const double half = 0.25 * contact_.pull() * radius_eff;
     const double area = pressure_ * radius_eff / (2 * contact_.modulus()), scale = std::sqrt(area);
@@ -130,8 +131,8 @@ class ThorntonNing1998 {
     return {root, contact_.modulus() * 1.5 * contact_.pull() / root};
   }
 
-  // Returns F + 2 E* c s^3 beyond yield: the force of a contact of the same radius without
-  // adhesion. F_y is eliminated by the yield condition.
+  // Returns F + 2 E* c s^3 beyond yield, with s = a^(1/2). This is the force of a contact of the
+  // same radius without adhesion. F_y is eliminated by the yield condition.
   PLASTIGRAN_DEVICE double force_without_pull(Yield yield, double s) const {
     const double square = s * s, area = yield.root * yield.root;
     const double pull = 2 * contact_.modulus() * contact_.pull();
@@ -150,7 +151,7 @@ class ThorntonNing1998 {
   // the unloading curve at the same contact radius s^2.
   PLASTIGRAN_DEVICE double plastic_work(double radius_eff, Yield yield, double s) const {
     if (!(s > yield.root)) return 0;
-    // F = first + p s^4 - linear s,  d overlap = (4 s^3/R* - c) ds
+    // Integrate F d(overlap) with F = first + p s^4 - linear s and d(overlap) = (4 s^3/R* - c) ds.
     const double pull = contact_.pull(), p = yield.pressure, area = yield.root * yield.root;
     const double linear = 2 * contact_.modulus() * pull * area;
     const Response at_yield = contact_.at(radius_eff, yield.root);
@@ -174,8 +175,9 @@ class ThorntonNing1998 {
   JkrContact contact_;
   double pressure_;  // pi p_y
   bool guarded_;
-  // Table of two functions of R* per_length_: s_y/root_unit_, and Yield::pressure/(pi p_y), which
-  // exceeds 1 where the energy guard increases the yield pressure.
+  // Table of two functions of the product of R* and per_length_. One is s_y/root_unit_. The other
+  // is Yield::pressure/(pi p_y), which exceeds 1 where the energy guard increases the yield
+  // pressure.
   typedef Tabulated<2, 10, 20, 96> Yields;
   double root_unit_;   // c E*/(pi p_y)
   double per_length_;  // (pi p_y/E*)^3/c^2

@@ -8,9 +8,10 @@
 //   F = rho_k (overlap^(3/2) + 3/2 A sqrt(overlap) d overlap/dt),   rho_k = 4/3 E* sqrt(R*)
 //   a = sqrt(R* overlap),   elastic energy = 2/5 rho_k overlap^(5/2)
 //
-// The force is largest before the overlap is largest. During unloading, the force vanishes while
-// the spheres still overlap. The contact ends there, because the surfaces recover more slowly than
-// the spheres separate, and never attract each other.
+// A [s] is the ratio of the viscous to the elastic constants of the bodies. The force is largest
+// before the overlap is largest. During unloading, the force vanishes while the spheres still
+// overlap. The contact ends there, because the surfaces recover more slowly than the spheres
+// separate, and never attract each other.
 //
 // Range: no yield; impact speed much lower than the speed of sound, contact time much longer than
 // A.

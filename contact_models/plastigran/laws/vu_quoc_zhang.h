@@ -52,10 +52,11 @@ struct VuQuocZhangCurve {
         yield_force_ratio(4.0 / 3.0 * pair.youngs_modulus_eff * yield_radius_ratio *
                           yield_radius_ratio * yield_radius_ratio) {}
 
-  // Returns whether c_a^(3/2) (2 - k_c) >= 2/5 sqrt(1/5) k_c. Then the force of first loading
-  // increases with overlap, and plastic work never decreases. The condition is sufficient; the c_a
-  // that it requires is at most a quarter larger than necessary. If the radius of curvature grew
-  // and the contact radius did not, unloading would release more energy than loading took.
+  // Returns whether the coefficients c_a of the contact radius and k_c of the curvature satisfy
+  // c_a^(3/2) (2 - k_c) >= 2/5 sqrt(1/5) k_c. Then the force of first loading increases with
+  // overlap, and plastic work never decreases. The condition is sufficient; the c_a that it
+  // requires is at most a quarter larger than necessary. If the radius of curvature grew and the
+  // contact radius did not, unloading would release more energy than loading took.
   static bool admissible(const MaterialPair&, const Parameters& constants) {
     const double ca = constants.contact_radius_coefficient, kc = constants.curvature_coefficient;
     return ca * std::sqrt(ca) * (2 - kc) >= 0.4 * std::sqrt(0.2) * kc;
@@ -64,7 +65,8 @@ struct VuQuocZhangCurve {
       "{contact_radius_coefficient}^1.5 * (2 - {curvature_coefficient}) must be at least "
       "0.1789 * {curvature_coefficient}, or the contact might create energy";
 
-  // The next functions return, at s = a_e/a_Y: a_p/a_Y, A, C, dA/ds, dC/ds.
+  // The next functions return values at s = a_e/a_Y: the plastic radius a_p/a_Y, the contact radius
+  // A = a/a_Y, the factor C of the radius of curvature, and the derivatives dA/ds and dC/ds.
   PLASTIGRAN_DEVICE double plastic_radius(double s) const { return ca * (s * s * s - 1); }
   PLASTIGRAN_DEVICE double radius(double s) const { return s + plastic_radius(s); }
   PLASTIGRAN_DEVICE double curvature(double s) const { return 1 + kc * (s * s * s - 1); }

@@ -6,8 +6,9 @@
 //   F = k_2 (overlap - overlap_res)                unloading and reloading
 //   overlap_res = (1 - k_1/k_2) overlap_max,  k_2 = k_2' + S F_max
 //
-// With S = 0, restitution is (k_1/k_2)^(1/2) at any speed. With k_2' = k_1 and S > 0, restitution
-// decreases with the speed v: (w/(S v + w))^(1/2), w^2 = 2 k_1/m for two spheres of mass m.
+// k_2' is the unloading stiffness at zero load, and S its growth with the largest force. With S =
+// 0, restitution is (k_1/k_2)^(1/2) at any speed. With k_2' = k_1 and S > 0, restitution decreases
+// with the speed v: (w/(S v + w))^(1/2), w^2 = 2 k_1/m for two spheres of mass m.
 // Range: the stiffnesses must be fitted, because they do not depend on size and material.
 #pragma once
 

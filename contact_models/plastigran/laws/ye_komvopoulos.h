@@ -2,7 +2,8 @@
 //
 // Ye & Komvopoulos 2003 (J. Tribol. 125:685): indentation by a rigid sphere, fitted to finite
 // elements. The equations are those of Ghaednia et al. 2015 (Int. J. Impact Eng. 86:307), eqs
-// 23-27, corrected as in docs/laws/ye_komvopoulos.md:
+// 23-27, corrected as in docs/laws/ye_komvopoulos.md. p is the mean pressure and A the contact
+// area. r' is the radius at which a rigid plane would cut the undeformed sphere:
 //
 //   r'^2 = overlap (2R - overlap),  Q = (E'/sigma_Y) overlap/r',  yield at Q = 1.78
 //   F = p A;  p/sigma_Y = 0.70 ln Q + 0.66, 2.9 above Q = 21
@@ -46,7 +47,7 @@ struct YeKomvopoulosCurve : ReadingAlone {
     std::sort(breaks.begin(), breaks.end());
   }
 
-  // Returns the overlap/R at which Q = q.
+  // Returns overlap/R at which Q, the ratio (E'/sigma_Y) overlap/r' of the law, equals q.
   double depth_at(double q) const {
     const double slope = q * compliance;
     return 2 * slope * slope / (1 + slope * slope);

@@ -70,8 +70,8 @@ class ImpactForecast {
 
   const std::vector<Meeting>& meetings() const { return meetings_; }
 
-  // Returns the pairs of types that can touch now or later: all pairs, except those in which a
-  // particle would have a type that only walls have.
+  // Returns the pairs of atom types that can touch now or later. Particles may get any type later,
+  // except a type that only walls have.
   const std::vector<std::pair<int, int>>& expected() const { return expected_; }
 
   // Returns the shortest Rayleigh time [s] of spheres that have the smallest radius and mass of an

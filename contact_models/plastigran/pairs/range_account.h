@@ -8,7 +8,7 @@
 
 namespace plastigran {
 
-// A contact beyond the validity range in one time step.
+// Contact whose overlap exceeds the validity range of its law in the present time step.
 template <class State>
 struct DeepContact {
   double radius_eff, overlap;  // R* and overlap [m]

@@ -30,7 +30,8 @@ inline std::string range_forecast(const std::string& range, double speed, const 
   return text.str();
 }
 
-// Returns the log line that the Python package reads.
+// Returns the log line from which the Python package reads the number of contacts beyond the
+// validity range.
 inline std::string range_line(const std::string& law, double contacts, double furthest) {
   std::ostringstream line;
   line << "plastigran range " << law << " contacts=" << contacts << " furthest=" << furthest

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Evaluation of a law at any rate factor k of the yield strength (shared/rate_factor.h) without a
-// table for each k.
+// Evaluation of a law at any rate factor k without a table for each k. The rate factor multiplies
+// the yield strength (shared/rate_factor.h).
 //
 // A law is `self_similar` if F/F_y and a/a_y are functions of overlap/overlap_y for any yield
 // strength. Because a_y/R* is proportional to k, the law at k equals the law at k = 1 for another
@@ -89,7 +89,7 @@ class RateTables {
 };
 
 // The law at one rate factor, with the interface of a law. Stores references to the law at factor 1
-// and to its tables, which must outlive it.
+// and to its tables, which must outlive this object.
 template <class Law>
 class LawAtFactor {
  public:
@@ -142,7 +142,7 @@ class LawAtFactor {
     return range;
   }
 
-  // Returns the distinct breaks of all tables, as overlap/R*.
+  // Returns the values of overlap/R* at which the force of any table may jump, without duplicates.
   std::vector<double> overlap_breaks() const {
     std::vector<double> all;
     if constexpr (has_breaks<Law> && !responds_stronger<Law>)

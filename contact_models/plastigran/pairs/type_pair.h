@@ -41,7 +41,8 @@ struct TypePair {
     return true;
   }
 
-  // Calls `use` with the law at a rate factor and with its range; returns the result.
+  // Calls use(law, range) with the law at a rate factor and with its validity range. Returns the
+  // result of `use`.
   template <class Use>
   decltype(auto) at_factor(double factor, const Use& use) const {
     if constexpr (takes_rate_factor<Law>)

@@ -54,8 +54,8 @@ class TypePairs {
   typedef typename Law::Parameters Constants;
 
  public:
-  // Builds the table. `defaults` contains the options, and the constants that the materials do not
-  // define. Returns a complaint about an invalid value; empty if all are valid.
+  // Builds the laws of all pairs. `defaults` contains the options, and the constants that the
+  // materials do not define. Returns a complaint about an invalid value; empty if all are valid.
   Complaint build(const Materials& materials, const Constants& defaults) {
     Complaint complaint = validate(materials.bodies);
     if (complaint.empty()) complaint = wrong_body_constant(materials);
@@ -154,7 +154,7 @@ class TypePairs {
     const MaterialPair bodies = combine(materials_.bodies[first], materials_.bodies[second]);
     auto pair = std::make_unique<TypePair<Law>>(bodies, constants);
     pair->lacking = !lacking.empty();
-    pair->refusal = pair->lacking ? Complaint(lacking.sentence() + "; one of the two must have it")
+    pair->refusal = pair->lacking ? Complaint(lacking.sentence() + "; one of the bodies needs it")
                                   : validate<Law>(bodies, constants);
     pair->refusal = about_types(pair->refusal, i, j);
     return pair;

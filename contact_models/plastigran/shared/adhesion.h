@@ -52,10 +52,10 @@ double pull_off_distance([[maybe_unused]] const Law& law, [[maybe_unused]] doubl
   return 0.5 * least * (half + std::sqrt(rest > 0 ? rest : 0));
 }
 
-// Returns the same root as near_pull_off(). With w = x^(1/4) u and e = b/x^(3/4), the equation is
-// u^4 - e u = 1. For weak adhesion, e <= 1, u is a polynomial in e that interpolates the root at
-// Chebyshev points with an error of 5e-16. Its terms are grouped so that the processor can add them
-// in parallel.
+// Returns the largest root w of w^4 - b w = x, like near_pull_off() but faster. With w = x^(1/4) u
+// and e = b/x^(3/4), the equation is u^4 - e u = 1. For weak adhesion, e <= 1, u is a polynomial in
+// e that interpolates the root at Chebyshev points with an error of 5e-16. Its terms are grouped so
+// that the processor can add them in parallel.
 PLASTIGRAN_DEVICE inline double adhesive_root(double x, double b) {
   const double scale = std::sqrt(std::sqrt(x)), e = b / x * scale;
   if (!(e <= 1)) return near_pull_off(x, b);
@@ -142,7 +142,8 @@ class JkrContact {
 };
 
 // Returns the pull-off force F_c [N], which enters the limit of friction: |T| <= mu (F + F_c)
-// (Derjaguin 1934, Z. Phys. 88:661). In the law of Luding 2008, F_c is k_c times the overlap.
+// (Derjaguin 1934, Z. Phys. 88:661). In the law of Luding 2008, F_c is the slope k_c of the
+// adhesive limit times the overlap.
 template <class Law>
 PLASTIGRAN_DEVICE double pull_off_force([[maybe_unused]] const Law& law,
                                         [[maybe_unused]] double radius_eff,
@@ -154,8 +155,8 @@ PLASTIGRAN_DEVICE double pull_off_force([[maybe_unused]] const Law& law,
     return 0;
 }
 
-// Returns the pull-off force F_c [N]. For a law whose contacts can stretch, the `response` at this
-// overlap already contains it.
+// Returns the pull-off force F_c [N]. If contacts of the law can stretch until pull-off, `response`
+// at this overlap already contains F_c.
 template <class Law>
 PLASTIGRAN_DEVICE double pull_off_force(const Law& law, double radius_eff, double overlap,
                                         const typename Law::State& state,
@@ -167,7 +168,7 @@ PLASTIGRAN_DEVICE double pull_off_force(const Law& law, double radius_eff, doubl
 }
 
 // Returns the energy [J] that is dissipated because a contact forms or breaks between the states
-// `before` and `now`; otherwise 0.
+// `before` and `now`; 0 if neither happens.
 template <class Law>
 double lost_at_ends([[maybe_unused]] const Law& law, [[maybe_unused]] double radius_eff,
                     [[maybe_unused]] const typename Law::State& before,

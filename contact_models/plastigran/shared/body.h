@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Constants of one body. body_constants is their only declaration: the checks, deck properties,
-// Python module and reference pages use this table.
+// Constants of one body. The table body_constants is their only declaration: the range checks, the
+// deck properties, the Python module and the reference pages all read it.
 #pragma once
 
 #include <array>

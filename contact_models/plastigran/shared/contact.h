@@ -184,7 +184,8 @@ constexpr bool adhesive = false;
 template <class Law>
 constexpr bool adhesive<Law, std::void_t<decltype(Law::adhesive)>> = Law::adhesive;
 
-// Keywords that a deck adds to the line of another law to obtain this law, with a leading space.
+// Keywords that a deck appends to the line of another law to select this law, with a leading space,
+// for example " adhesion jkr". Most laws need none.
 template <class Law, class = void>
 constexpr const char* line_option = "";
 template <class Law>

@@ -35,9 +35,9 @@ struct FittedSphere {
       : modulus(reading == of_pair ? pair.youngs_modulus_eff : 1 / plane_strain_compliance(pair)),
         radius_ratio(modulus / pair.youngs_modulus_eff) {}
 
-  // Returns overlap_range() of a law that was fitted up to overlap/R = `depth`. This limit applies
-  // to the overlap of the fitted sphere. The other body deforms by the fraction 1 - E*/E' of the
-  // overlap; the limit for its deformation is widest_overlap_range.
+  // Returns the largest valid overlap/R* of a law that was fitted up to overlap/R = `depth`. This
+  // limit applies to the overlap of the fitted sphere. The other body deforms by the fraction 1 -
+  // E*/E' of the overlap; the limit for its deformation is widest_overlap_range.
   double overlap_range(double depth) const {
     const double others_share = 1 - 1 / radius_ratio;
     return std::min(std::min(depth, widest_overlap_range) * radius_ratio * radius_ratio,

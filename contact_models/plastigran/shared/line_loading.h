@@ -4,7 +4,7 @@
 // strain. Lim & Stronge 1998 (Math. Comput. Model. 28:323) and Katta & Polycarpou 2010 (J. Tribol.
 // 132); elastic part after Johnson, Contact Mechanics (1985), sec. 5.6.
 //
-//   L  length of the cylinder          D  thickness of the body that yields    R  R* of the pair
+//   L  length of the cylinder          D  thickness of the body that yields    R  effective radius
 //   q  F/(pi E* L), load [m]           a  half-width of the contact            Y  yield strength
 //   p  mean pressure/Y                 k  nu/(1-nu)                            s  a/a_Y
 //
@@ -42,13 +42,15 @@ PLASTIGRAN_DEVICE inline double lambert_root(double t) {
   return w;
 }
 
-// Returns load/overlap of the elastic contact at x = overlap/reach. Because overlap = load
-// ln(reach/load), the result is 1/w, where w - ln w = ln(1/x).
+// Returns load/overlap of the elastic contact, for which overlap = load ln(reach/load) with a
+// constant length `reach`. The argument x is overlap/reach. The result is 1/w, where w - ln w =
+// ln(1/x).
 PLASTIGRAN_DEVICE inline double load_share(double x) {
   return 1 / lambert_root(std::max(1.25, -std::log(x)));
 }
 
-// Contact beyond yield: load divided by the load at yield, and work, as functions of s and ln(s).
+// Contact beyond yield: load divided by the load at yield, and work, as functions of s = a/a_Y and
+// ln(s).
 struct LineYielding {
   static constexpr double hardening = 0.38490017945975051;  // pressure slope, (1/sqrt(3))/1.5
   static constexpr double pressure_cap = 1.6;  // largest mean pressure/pressure at yield, 2.4/1.5
@@ -57,8 +59,8 @@ struct LineYielding {
   PLASTIGRAN_DEVICE static double load(double s, double log_s) {
     return s * std::min(1 + hardening * log_s, pressure_cap);
   }
-  // Returns the work beyond yield divided by F_Y a_Y^2/R: the integral of s^2 p/1.5 over s from
-  // yield.
+  // Returns the work beyond yield divided by F_Y a_Y^2/R: the integral of s^2 p/1.5 over s = a/a_Y,
+  // from yield. p is the mean pressure divided by the yield strength.
   PLASTIGRAN_DEVICE static double work(double s, double log_s) {
     const double cube = s * s * s;
     if (s > plastic_from) {

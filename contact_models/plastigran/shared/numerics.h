@@ -55,8 +55,8 @@ double golden_section(const Function& f, double left, double right, int steps) {
   return 0.5 * (left + right);
 }
 
-// Bisects the interval [low, high] until its ends are adjacent numbers. The condition `holds` must
-// be false at low and true at high.
+// Bisects the interval [low, high] until its ends are adjacent floating-point numbers. The
+// condition `holds` must be false at low and true at high.
 template <class Condition>
 void halve(double& low, double& high, const Condition& holds) {
   for (int i = 0; i < 100; ++i) {

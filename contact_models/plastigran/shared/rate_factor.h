@@ -49,8 +49,8 @@ inline MaterialPair strengthened(MaterialPair pair, double factor) {
   return pair;
 }
 
-// Returns the constants of a law for the strengthened pair. Constants in Pa are pressures of
-// plastic flow, so they are multiplied by the factor.
+// Returns the constants of a law for a yield strength multiplied by `factor`. Constants in Pa are
+// pressures of plastic flow, so they are multiplied, too.
 template <class Law>
 typename Law::Parameters strengthened_constants(typename Law::Parameters constants, double factor) {
   for (const auto& parameter : parameters_of<Law>)

@@ -173,7 +173,8 @@ class Adhesive {
     return loaded(x);
   }
 
-  // Returns k, with a lower limit: number() must not exceed the largest B of adhesive_work.h.
+  // Returns k, the factor of the yield strength that represents adhesion beyond yield. A lower
+  // limit of k keeps number(), the measure B of adhesion, below the largest B of adhesive_work.h.
   [[gnu::noinline, gnu::cold]] PLASTIGRAN_DEVICE double strength_factor(double radius_eff) const {
     const double b = onset_ / std::sqrt(radius_eff);
     const double q = root_at_yield(b);
@@ -181,17 +182,17 @@ class Adhesive {
     return std::max(q * q, std::cbrt(least * least));
   }
 
-  // Returns overlap_y of the law with k times its strength, for which F_k(R*, overlap) =
+  // Returns overlap_y of the law with k times its yield strength. For this law, F_k(R*, overlap) =
   // F(k^2 R*, overlap)/k.
   PLASTIGRAN_DEVICE double overlap_y(double radius_eff, const State& state) const {
     return state.strength_factor * state.strength_factor * elastic_range_ * radius_eff;
   }
-  // Returns a_y.
+  // Returns the contact radius a_y at first yield with adhesion [m].
   PLASTIGRAN_DEVICE double yield_radius(double radius_eff, const State& state) const {
     return state.strength_factor * yield_radius_ratio_ * radius_eff;
   }
-  // Returns B = c R*/a_y^(3/2) = 2 (1 - 1/k), which measures adhesion: D = B x^(1/4) overlap_y,
-  // with x = overlap_1/overlap_y.
+  // Returns B = c R*/a_y^(3/2) = 2 (1 - 1/k), which measures adhesion. In first loading, the
+  // displacement due to adhesion is D = B x^(1/4) overlap_y with x = overlap_1/overlap_y.
   PLASTIGRAN_DEVICE double number(double radius_eff, const State& state) const {
     const double k = state.strength_factor;
     return 2 * onset_ / std::sqrt(radius_eff * k * k * k);
@@ -200,8 +201,8 @@ class Adhesive {
   PLASTIGRAN_DEVICE double pull_of(double radius_eff, double overlap_max) const {
     return contact_.pull() * std::sqrt(std::sqrt(radius_eff * overlap_max));
   }
-  // Returns the response of first loading to overlap_1 = `without`; s is the JKR root (contact
-  // radius)^(1/2).
+  // Returns the response of first loading. `without` is overlap_1, the overlap of the same contact
+  // without adhesion; `s` is the square root of the contact radius in the JKR equations.
   PLASTIGRAN_DEVICE Response loading(double radius_eff, double s, double without,
                                      State& state) const {
     state.in_contact = 1;

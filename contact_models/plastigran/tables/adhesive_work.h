@@ -41,13 +41,13 @@ auto kinks_of([[maybe_unused]] const Law& law) {
 }
 
 // Values of a law without adhesion after first loading to x, in yield units. The slope does not
-// include the factor 1 + B eta.
+// contain the factor 1 + B eta, which the energy guard adds.
 struct AfterLoading {
   double force, slope, energy;
 };
 
-// The functions take the law as an argument instead of storing a pointer, so that the object can be
-// copied.
+// Work of first loading of a law with adhesion. The functions take the law as an argument instead
+// of storing a pointer, so that the object can be copied.
 template <class Law>
 class WorkOfLoading {
  public:
@@ -61,7 +61,7 @@ class WorkOfLoading {
   // Returns the shape of the unloading curve (unloading.h).
   PLASTIGRAN_DEVICE const Rebound& rebound() const { return rebound_; }
 
-  // Returns the largest B that a contact may have.
+  // Returns the largest value that B, the measure of adhesion, may have.
   PLASTIGRAN_DEVICE double largest_number() const { return largest_number_; }
 
   PLASTIGRAN_DEVICE AfterLoading after_loading(const Law& law, double x) const {
@@ -76,7 +76,8 @@ class WorkOfLoading {
     return polynomial(works_at(law, x), B);
   }
 
-  // Returns eta at x, 0 for a law without energy guard.
+  // Returns eta at x. The factor 1 + B eta increases the slope of unloading; eta is 0 for a law
+  // without energy guard.
   PLASTIGRAN_DEVICE double eta(double x, const AfterLoading& at) const {
     if constexpr (!energy_guarded<Law>) return 0;
     double work = 0;
@@ -89,7 +90,7 @@ class WorkOfLoading {
  private:
   typedef std::array<double, 4> Works;  // w_0 to w_3 of the work w_0 - w_1 B + w_2 B^2 + w_3 B^3
 
-  // Returns the derivatives of w_0 to w_3 with respect to x.
+  // Returns the derivatives of the work coefficients w_0 to w_3 with respect to x.
   PLASTIGRAN_DEVICE Works powers(const Law& law, double x) const {
     const AfterLoading at = after_loading(law, x);
     const double d = std::sqrt(std::sqrt(x)), slope_of_d = 0.25 * d / x,
@@ -97,14 +98,15 @@ class WorkOfLoading {
     return {at.force, at.slope * d + at.force * slope_of_d, d * (at.slope * slope_of_d - more),
             more * d * slope_of_d};
   }
-  // Returns the derivative of the function in table k: w_0, w_1, w_2 or w_0 + w_3. Near the start
-  // of an interval, eta is a difference of nearly equal works, so the round-off of w_3 is small
-  // only compared with w_0.
+  // Returns the derivative of the function in table k: w_0, w_1, w_2 or w_0 + w_3. The last table
+  // contains the sum, because near the start of an interval eta is a difference of nearly equal
+  // works. The round-off of w_3 is therefore small only compared with w_0.
   PLASTIGRAN_DEVICE double derivative(const Law& law, double x, std::size_t k) const {
     const Works all = powers(law, x);
     return k == 3 ? all[0] + all[3] : all[k];
   }
-  // Builds the tables k >= `first`. Only w_2 and w_3 depend on lost_.
+  // Builds the tables of the work coefficients w_k for k >= `first`. If only lost_ has changed,
+  // first = 2 suffices: w_0 and w_1 do not depend on lost_.
   void tabulate(const Law& law, std::size_t first) {
     constexpr Works at_yield{0.4, 1, 0.375, 0.4};  // values of the JKR contact in tables 0 to 3
     for (std::size_t k = first; k < works_.size(); ++k) {
@@ -114,7 +116,7 @@ class WorkOfLoading {
     end_ = works_[0].end();
     for (const auto& table : works_) end_ = std::min(end_, table.end());
   }
-  // Returns w_0 to w_3 beyond the end of the tables, by quadrature.
+  // Returns the work coefficients w_0 to w_3 beyond the end of their tables, by quadrature.
   [[gnu::noinline, gnu::cold, gnu::pure]] PLASTIGRAN_DEVICE Works summed(const Law& law,
                                                                          double x) const {
     Works sum{};
@@ -189,8 +191,8 @@ class WorkOfLoading {
     return all;
   }
 
-  // Finds the largest B. If a law with an energy guard would not reach B = 0.4, increases the loss
-  // lost_ until it does.
+  // Finds the largest B at which plastic work increases with x. If a law with an energy guard would
+  // not reach B = 0.4, increases the fraction lost_ of the work until it does.
   void guard(const Law& law) {
     std::vector<Sample> all = samples(law);
     const auto lower_to = [&](double least) {

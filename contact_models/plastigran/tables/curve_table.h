@@ -128,7 +128,7 @@ class CurveTable : public Curve, public LargestOverlap {
     if constexpr (Unloading::has_shape) at[SHAPE] = unloading_.shape(*this, x);
     return at;
   }
-  // Returns the values beyond the end of the table.
+  // Computes the quantities of a contact loaded to x, beyond the end of the table.
   [[gnu::noinline, gnu::cold]] PLASTIGRAN_DEVICE Values computed(double x) const {
     return compute(x);
   }

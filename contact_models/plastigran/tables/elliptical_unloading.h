@@ -72,7 +72,7 @@ class EllipticalUnloading {
   }
 
  private:
-  // h/y^(3/2), and the integral of h divided by y^(5/2).
+  // The force ratio h = F/F_max divided by y^(3/2), and the integral of h divided by y^(5/2).
   typedef std::array<double, 2> Shares;
   PLASTIGRAN_DEVICE Shares shares(double y) const {
     return shares_.covers(1 + y) ? shares_(1 + y) : computed_shares(y);
@@ -82,12 +82,12 @@ class EllipticalUnloading {
     const double root = std::sqrt(y);
     return {share(y) / (y * root), stored(y) / (y * y * root)};
   }
-  // Returns h at y.
+  // Returns h = F/F_max at the relative depth y of the indenter.
   PLASTIGRAN_DEVICE static double share(double y) {
     if (y > 1) return 1 + 4 / pi * (y - 1);
     return 2 / pi * (std::acos(1 - y) - (1 - y) * chord(y));
   }
-  // Returns the integral of h from 0 to y.
+  // Returns the integral of h = F/F_max over the relative depth, from 0 to y.
   PLASTIGRAN_DEVICE static double stored(double y) {
     if (y < series_end) return y * y * std::sqrt(y) * series(y, 1);
     if (y > 1) return stored(1) + (y - 1) + 2 / pi * (y - 1) * (y - 1);

@@ -20,17 +20,17 @@
 
 namespace plastigran {
 
-// There are at most breaks + 2 intervals: one per break, one on the smooth curve from yield, and
-// one beyond the last break.
+// At most breaks + 2 intervals need the guard: one per break, one on the smooth curve from yield,
+// and one beyond the last break.
 template <std::size_t breaks>
 class EnergyGuard {
  public:
   // Creates an inactive guard.
   EnergyGuard() = default;
 
-  // Finds the intervals. `edges` are the overlaps at which the formula changes, ascending,
-  // beginning with yield. `reach` is the largest overlap of the search. taken(overlap) is the work
-  // of loading; loss(overlap) is the published plastic work.
+  // Finds the intervals of the overlap in which the guard acts. `edges` are the overlaps at which
+  // the formula changes, ascending, beginning with yield. `reach` is the largest overlap of the
+  // search. taken(overlap) is the work of loading; loss(overlap) is the published plastic work.
   template <class Taken, class Loss>
   EnergyGuard(const std::array<double, breaks>& edges, double reach, const Taken& taken,
               const Loss& loss) {

@@ -62,7 +62,8 @@ class LineCompliance {
   }
 
  private:
-  // load/reach at which the tangent begins: exp(-2)
+  // Value of load/reach, exp(-2), beyond which the overlap follows the tangent of the logarithmic
+  // formula.
   static constexpr double tangent_share = 0.13533528323661269;
   const LineTables& tables_;
   double reach_;
@@ -139,7 +140,8 @@ class LineContact : public Rebound, public LargestOverlap {
     }
     if (overlap > state.overlap_max) state.overlap_max = overlap;
 
-    // Values at the largest overlap: loads as q [m], work divided by stiffness_ [m^2].
+    // The next values belong to the largest overlap. Loads are q = F/stiffness_ [m]; works are
+    // divided by stiffness_ [m^2].
     const double area = 1 + (state.overlap_max - overlap_y) / (2 * load_y);  // s^2
     const double s = std::sqrt(area), log_s = 0.5 * tables_.logs.natural_log(area);
     const double load_ratio = LineYielding::load(s, log_s);
@@ -169,7 +171,8 @@ class LineContact : public Rebound, public LargestOverlap {
     return response;
   }
 
-  // Returns ln(4 D^2/a^2) - k.
+  // Returns overlap/q of the elastic contact, ln(4 D^2/a^2) - k, with the body thickness D and the
+  // half-width a.
   PLASTIGRAN_DEVICE double compliance(double half_width) const {
     const double square = half_width * half_width;
     return square > square_min ? log_reach_ - tables_.logs.natural_log(square) : unlimited;

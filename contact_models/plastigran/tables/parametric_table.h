@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // Table of a law whose force and overlap of first loading are both functions of the elastic part of
-// the contact radius, s = a_e/a_Y (laws/vu_quoc_zhang.h). s_max is the largest s so far; A_max and
-// C_max are the values of A and C at s_max. In yield units:
+// the contact radius, s = a_e/a_Y (laws/vu_quoc_zhang.h). A = a/a_Y is the contact radius, and C is
+// the factor by which plastic flow enlarges the radius of curvature. s_max is the largest s so far;
+// A_max and C_max are the values of A and C at s_max. In yield units:
 //
 //   F = s^3,   overlap = A^2/C                                   first loading, s > 1
 //   overlap C_max = s^2 + A_max^2 - s_max^2,   a = s + A_max - s_max        unloading, reloading
@@ -145,7 +146,7 @@ class ParametricTable : public Curve {
     return {s, Curve::plastic_radius(s), radius, Curve::curvature(s)};
   }
 
-  // Returns s beyond the end of the table.
+  // Returns s = a_e/a_Y at the overlap x, beyond the end of the table.
   [[gnu::noinline, gnu::cold]] PLASTIGRAN_DEVICE double solved(double x, double start) const {
     return elastic_radius(x, start);
   }
@@ -154,7 +155,8 @@ class ParametricTable : public Curve {
   // as s^3.
   static constexpr double rounding = 2e-13;
 
-  // Returns overlap/overlap_Y times d(F/P_Y)/ds, for first loading.
+  // Returns the integrand of the complementary work of first loading: overlap/overlap_Y times
+  // d(F/P_Y)/ds.
   PLASTIGRAN_DEVICE double complement(double s) const {
     const Point at = point(s);
     return 3 * s * s * at.radius * at.radius / at.curvature;

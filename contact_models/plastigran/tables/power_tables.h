@@ -36,7 +36,7 @@ class PowerTables {
   // 3e-15 + 2e-16 |exponent log2(base)|.
   PLASTIGRAN_DEVICE double power(double base, double exponent) const {
     const double way = exponent * binary_log(base);
-    // 1.5 * 2^52/128: adding it rounds to a multiple of 1/128.
+    // Adding this constant, 1.5 * 2^52/128, rounds a number to a multiple of 1/128.
     constexpr double round = 6755399441055744.0 / 128;
     const double near = way + round;
     std::int64_t steps;
