@@ -15,7 +15,8 @@ namespace plastigran {
 
 namespace {
 
-// Returns whether LAMMPS' own models, or the position of a wall, begin at this word of a line.
+// Returns whether a word of a line belongs to LAMMPS: it begins one of LAMMPS' own models, or the
+// position of a wall.
 bool begins_models(const std::string& word) {
   static const std::vector<std::string> first{
       "damping",       "tangential",          "rolling", "twisting", "heat",   "cutoff",   "region",
@@ -34,7 +35,7 @@ bool precedes_names(const BodyConstant& constant) {
   return constant.value == &Body::youngs_modulus || constant.value == &Body::poissons_ratio;
 }
 
-// Returns a number as text from which to_number() reads the same number.
+// Returns a number as text with so many digits that to_number() reads exactly the same number.
 std::string exact(double number) {
   char text[32];
   std::snprintf(text, sizeof text, "%.17g", number);
@@ -87,7 +88,8 @@ bool is_restitution(const std::vector<std::string>& models) {
          (damping[1] == "tsuji" || damping[1] == "coeff_restitution");
 }
 
-// Reads the tangential law of a line. Replaces its words by those of LAMMPS' model `mindlin`.
+// Reads the tangential law of a line. Replaces the words of this law by the words of LAMMPS' model
+// `mindlin`.
 Complaint read_tangential(std::vector<std::string>& models, TangentialLine& line) {
   for (const char* const word : {"tangential", "rings"})
     if (std::count(models.begin(), models.end(), word) > 1)
@@ -194,12 +196,12 @@ Complaint ContactLine::read(const std::vector<std::string>& line) {
   double restitution = 0;
   if (is_restitution(models) && to_number(viscous, restitution) && restitution > 1)
     return Complaint("{viscous} is " + viscous +
-                     "; with this damping model it must be a restitution, 0 to 1");
+                     "; with this damping model it must be a coefficient of restitution, 0 to 1");
   return {};
 }
 
 std::vector<std::string> ContactLine::placeholder() const {
-  const std::string none = is_restitution(models) ? "1" : "0";  // value that switches damping off
+  const std::string none = is_restitution(models) ? "1" : "0";  // value without damping
   std::vector<std::string> all{"hertz/material", "1", viscous.empty() ? none : viscous, "0"};
   all.insert(all.end(), models.begin(), models.end());
   return all;

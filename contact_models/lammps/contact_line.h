@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Words of a `pair_coeff` line after the atom types, or of a wall line after `granular`:
+// Syntax of a `pair_coeff` line after the atom types, and of a wall line after `granular`:
 //
 //   LAW BODY [name value ...] [viscous e] MODELS
 //
-// BODY is `E nu`, `body FILE` with a material file, `rigid`, or `mixed` for the bodies of two atom
-// types. Each `name` is a constant of the body, or a constant or an option of the law. MODELS are
-// LAMMPS' granular models, which begin with a word such as `tangential`. In a wall line, the
-// position of the wall follows. `tangential` can also name a tangential law of Plastigran:
-// `incremental MU`, or `partial_slip MU [rings N]`, with the friction coefficient MU.
+// BODY is `E nu`, `body FILE` with a material file, or `rigid`. It can also be `mixed`: the bodies
+// are then those that the two atom types have in their own lines. Each `name` is a constant of the
+// body, or a constant or an option of the law. MODELS are LAMMPS' granular models, which begin with
+// a word such as `tangential`. In a wall line, the position of the wall follows. `tangential` can
+// also name a tangential law of Plastigran: `incremental MU`, or `partial_slip MU [rings N]`, with
+// the friction coefficient MU.
 #pragma once
 
 #include <map>
@@ -21,7 +22,7 @@
 namespace plastigran {
 
 struct TangentialLine {
-  std::string law;  // empty for LAMMPS' own models
+  std::string law;  // name of the law; empty if the line uses LAMMPS' own model
   double friction = 0;
   int rings = 0;
 
@@ -37,7 +38,7 @@ struct ContactLine {
   std::map<std::string, std::string> law_words;  // constants and options of the law
   std::string viscous;  // coefficient of LAMMPS' damping model; empty if not given
   TangentialLine tangential;
-  std::vector<std::string> models;  // the words of LAMMPS' own models
+  std::vector<std::string> models;  // words that select LAMMPS' own models
   // All words of the line for restart files. The constants of the body replace `body FILE`, because
   // the file may change before the restart.
   std::vector<std::string> words;
@@ -46,7 +47,7 @@ struct ContactLine {
   Complaint read(const std::vector<std::string>& line);
 
   // Returns the words that LAMMPS reads instead of the law: its model `hertz/material`. The modulus
-  // in them is arbitrary, because NormalModel sets the modulus of the law.
+  // in these words is arbitrary, because NormalModel later sets the modulus of the bodies.
   std::vector<std::string> placeholder() const;
 };
 

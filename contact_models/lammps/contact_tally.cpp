@@ -24,8 +24,8 @@ void ContactTally::begin(LAMMPS_NS::LAMMPS* lammps) {
   wall_load_ = WallLoad();
 }
 
-// Adds half of the plastic work to each particle of a pair. With `newton off`, the rank that owns
-// the ghost's particle adds the other half.
+// Adds half of the plastic work to each particle of a pair. With `newton off`, two ranks compute a
+// pair that has a ghost particle. Each of them then adds only the half of its own particle.
 void ContactTally::add_dissipated(const GranularModel& contact, double plastic_work,
                                   double adhesion_loss) {
   const bool is_pair = contact.contact_type == LAMMPS_NS::Granular_NS::PAIR;
@@ -35,8 +35,8 @@ void ContactTally::add_dissipated(const GranularModel& contact, double plastic_w
   if (is_pair && !shared) balance_->add_to_particle(index(contact.vj), 0.5 * plastic_work);
 }
 
-// The account also receives `run_begins_`: in the first step of a run, the overlap may result from
-// a command instead of motion, because decks can move particles between runs.
+// Decks can move particles between two runs, so an overlap in the first step of a run may result
+// from a command instead of motion. Therefore the account also receives `run_begins_`.
 void ContactTally::add_deep(const GranularModel& contact, const RuntimeLaw& law,
                             RangeAccount& account, double factor, const double* before,
                             const double* now) {

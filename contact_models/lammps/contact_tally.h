@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Contacts of a pair style or a wall in one force computation: their energies, and the forces and
-// torques for the energy balance. If two ranks compute a contact, each counts half of its energies.
+// Sums of the energies, forces and torques of all contacts of a pair style or a wall, for the
+// energy balance. The sums refer to one computation of the forces. If two ranks compute a contact,
+// each rank counts half of its energies.
 #pragma once
 
 #include "lammps/energy_balance.h"
@@ -14,7 +15,7 @@ namespace plastigran {
 
 class ContactTally {
  public:
-  virtual ~ContactTally() noexcept(false) = default;  // noexcept(false) as in LAMMPS' classes
+  virtual ~ContactTally() noexcept(false) = default;  // noexcept(false), as in LAMMPS
 
   // Call begin() before a force computation and end() after it. The other functions ignore contacts
   // that LAMMPS computes at other times, for example for a command such as `compute pair/local`.
@@ -50,12 +51,13 @@ class ContactTally {
     if (counts_energies()) spring_energy += (is_shared(contact) ? 0.5 : 1) * energy;
   }
 
-  // Sums over the contacts of this rank: number, and energies [J].
+  // Number of contacts on this rank, and sums of their energies [J].
   double contacts = 0, elastic_energy = 0, surface_energy = 0, spring_energy = 0;
-  bool lacks_loads = false;  // true if the deck has a heat model, so that there is no LoadModel
+  bool lacks_loads = false;  // true if a heat model of the deck replaces LoadModel
 
  protected:
-  // Forces of a wall on all particles of this rank.
+  // Sum of the forces of a wall on the particles of this rank. `lossy` is the part that dissipates
+  // energy without plastic flow.
   struct WallLoad {
     double force[3]{};  // [N]
     ParticleLoad lossy;

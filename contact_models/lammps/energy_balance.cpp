@@ -190,7 +190,8 @@ void EnergyBalance::post_integrate() {
   mechanical_ = mechanical_energy();
 }
 
-// LAMMPS calls this function after particles were inserted, deleted or moved to other ranks.
+// LAMMPS calls this function after particles were inserted, deleted or moved to other ranks. The
+// energy of this rank has then changed without work of a force.
 void EnergyBalance::pre_neighbor() { sums_.inserted += mechanical_energy() - mechanical_; }
 
 void EnergyBalance::end_of_step() {
@@ -203,7 +204,7 @@ void EnergyBalance::end_of_step() {
 }
 
 void EnergyBalance::post_run() {
-  end_setup();  // has an effect only if the run had no step
+  end_setup();  // has an effect only in a run of zero steps
   last_state_ = state_energy();
   has_run_ = true;
 }

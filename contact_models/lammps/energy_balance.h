@@ -8,8 +8,8 @@
 // work. The work of friction, dashpots and walls is the integral of their power by the trapezoidal
 // rule, with the velocities at the end of each step. With velocity Verlet, the work of all forces
 // then equals the change of the kinetic energy, except for the change of dt^2 F^2/(8 m) with the
-// force F and the mass m of a particle. This difference does not accumulate. Power is linear in the
-// loads, so sums of loads by particle suffice.
+// time step dt, and the force F and the mass m of a particle. This difference does not accumulate.
+// Power is linear in forces and torques, so their sums for each particle suffice.
 #pragma once
 
 #include <array>
@@ -69,11 +69,12 @@ class EnergyBalance : public LAMMPS_NS::Fix {
   void add_load(int particle, const ParticleLoad& load);
   // Adds the force of a wall on a particle [N]. `load` is the part that dissipates energy.
   void add_wall(const double* force, const ParticleLoad& load, const double* wall_velocity);
-  // Corrects the work of the last wall forces. They also act in the next step, in which the
-  // velocity of the wall differs by `change` [m/s].
+  // Corrects the work of wall forces after the velocity of the wall has changed by `change` [m/s].
+  // The forces computed in one step also act in the first half of the next step, at the new
+  // velocity.
   void add_wall_change(const double* force, const ParticleLoad& load, const double* change);
 
-  // Number of values that the ghost of a particle sends to the rank that owns the particle.
+  // Number of values that each ghost particle sends to the rank that owns the particle.
   static constexpr int reverse_size = 1 + sizeof(ParticleLoad) / sizeof(double);
   void pack_ghost(int particle, double* buffer) const;
   void add_ghost(int particle, const double* buffer);
@@ -98,8 +99,8 @@ class EnergyBalance : public LAMMPS_NS::Fix {
   struct Sums {
     double plastic_work = 0, adhesion_loss = 0, friction = 0, viscous = 0, wall_work = 0;
     double inserted = 0, initial = 0;
-    // Values in restart files: whether the balance has begun, and the energy when the file was
-    // written.
+    // Used only in restart files: `begun` is 1 if the balance has begun, and `last_state` is the
+    // energy when the file was written.
     double begun = 0, last_state = 0;
   };
   struct Power {

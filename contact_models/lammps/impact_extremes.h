@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Extremes of size and velocity of the particles on all ranks, for the forecast of impacts.
+// Smallest size and extreme velocities of the particles of each atom type, on all ranks. The
+// run-time checks estimate the speeds of impacts from them.
 #pragma once
 
 #include <vector>
@@ -10,8 +11,8 @@
 
 namespace plastigran {
 
-// Returns the extremes of atom type k + 1 at index k, for the particles of a group, whose bit is
-// `group`.
+// Returns the extremes of each atom type; index k holds atom type k + 1. Only the particles of one
+// group count. `group` is the bit mask of this group in LAMMPS.
 std::vector<TypeExtremes> type_extremes(LAMMPS_NS::LAMMPS* lammps, int group);
 
 std::vector<int> all_types(int count);

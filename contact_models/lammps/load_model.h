@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Adds the forces and torques of a contact to the tally. LAMMPS calls its heat model last, when all
-// forces of a contact are known. This model therefore replaces the heat model `none`.
+// Adds the forces and torques of a contact to the tally of the energy balance. LAMMPS calls its
+// heat model last, when all forces of a contact are known. Therefore this class is a heat model. It
+// replaces the heat model `none`.
 #pragma once
 
 #include "lammps/contact_tally.h"

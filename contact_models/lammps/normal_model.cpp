@@ -16,8 +16,9 @@ using LAMMPS_NS::Granular_NS::GranularModel;
 
 namespace {
 
-// Returns Young's modulus of LAMMPS' own model for an effective shear modulus. Two equal bodies
-// with Poisson's ratio 0 have G* = G/4 and E = 2 G, therefore E = 8 G*.
+// Returns the Young's modulus E for which LAMMPS' own model has a given effective shear modulus G*.
+// LAMMPS then computes the right tangential stiffness. The model has two equal bodies with shear
+// modulus G and Poisson's ratio 0: G* = G/4 and E = 2 G, therefore E = 8 G*.
 double equivalent_modulus(double shear_modulus_eff) { return 8 * shear_modulus_eff; }
 
 }  // namespace
@@ -25,7 +26,7 @@ double equivalent_modulus(double shear_modulus_eff) { return 8 * shear_modulus_e
 NormalModel::NormalModel(GranularModel* model, LAMMPS_NS::LAMMPS* lammps, Laws laws,
                          ContactTally& tally)
     : GranSubModNormal(model, lammps), laws_(std::move(laws)), tally_(tally) {
-  const RuntimeLaw& one = *laws_.front();  // laws of a wall differ only in the bodies
+  const RuntimeLaw& one = *laws_.front();  // all laws of a wall are equal except for their bodies
   const GranSubModNormal& placeholder = *model->normal_model;
   name = "hertz/material";
   num_coeffs = 3;
@@ -61,7 +62,8 @@ void NormalModel::replace(GranularModel* model, LAMMPS_NS::LAMMPS* lammps, Laws 
   model->normal_model = normal;
   model->sub_models[LAMMPS_NS::Granular_NS::NORMAL] = normal;
   if (!tangential.law.empty()) TangentialModel::add(model, lammps, *normal, tangential, tally);
-  // LAMMPS computes the tangential stiffness `NULL` from the modulus of the normal model.
+  // If the deck gives the tangential stiffness as `NULL`, LAMMPS computes it from the modulus of
+  // the normal model.
   model->tangential_model->coeffs_to_local();
   delete[] model->transfer_history_factor;  // init() allocates the factors again
   model->transfer_history_factor = nullptr;
@@ -140,7 +142,8 @@ double NormalModel::calculate_contact_radius() {
   return response.contact_radius;
 }
 
-// The pull-off force raises the limit of friction: |T| <= mu (F + F_c) (Derjaguin 1934).
+// The pull-off force F_c raises the limit of the tangential force T: |T| <= mu (F + F_c), with the
+// normal force F and the coefficient of friction mu (Derjaguin 1934).
 void NormalModel::set_fncrit() { Fncrit = std::abs(gm->Fntot + pull_off_force_); }
 
 }  // namespace plastigran

@@ -5,10 +5,12 @@
 // keeps the name and the coefficients of `hertz/material`, because restart files and LAMMPS'
 // damping models use them.
 //
-// Contact history: LAMMPS' flag for bodies that touch (only for laws whose contacts can stretch),
-// the state of the law, and the rate factor (only for bodies with a rate coefficient). When LAMMPS
-// stores a pair for the other particle, it multiplies each history value by its transfer factor.
-// The default of this factor is -1; this model sets 1.
+// The contact history contains LAMMPS' flag for bodies that touch, the state of the law, and the
+// rate factor. The flag exists only for laws whose contacts can last without overlap. The rate
+// factor exists only for bodies with a rate coefficient. LAMMPS may later store the history with
+// the other particle of the pair. It then multiplies each value by a transfer factor. The default
+// of this factor is -1; this model sets 1, because the values do not depend on the order of the
+// particles.
 #pragma once
 
 #include <memory>
@@ -41,7 +43,7 @@ class NormalModel : public LAMMPS_NS::Granular_NS::GranSubModNormal {
   void coeffs_to_local() override {}
   bool touch() override;
   double pulloff_distance(double radius, double other_radius) override;
-  // Computes the force and all other results, too, because LAMMPS calls this function before
+  // Also computes the force and all other results, because LAMMPS calls this function before
   // calculate_forces() and set_fncrit().
   double calculate_contact_radius() override;
   double calculate_forces() override { return force_; }

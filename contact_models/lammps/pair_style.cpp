@@ -41,7 +41,7 @@ PairStyle::PairStyle(LAMMPS_NS::LAMMPS* lammps) : PairGranular(lammps) {
 }
 
 // Passes the argument of pair_style to LAMMPS. read_restart() also calls this function, because
-// LAMMPS leaves its cutoff unset there.
+// LAMMPS does not set its cutoff from the restart file.
 void PairStyle::set_cutoff(const std::string& cutoff) {
   cutoff_ = cutoff;
   char* word = cutoff_.data();
@@ -95,8 +95,9 @@ const ContactLine& PairStyle::line_of(int type) {
 void PairStyle::coeff(int count, char** words) {
   if (count < 4)
     error->all(FLERR,
-               "pair_coeff: give atom types, law and body, such as `pair_coeff 1 1 thornton "
-               "7e10 0.3 yield_strength 3e8 tangential mindlin NULL 1.0 0.5`");
+               "pair_coeff: words are missing; give atom types, law and body, such as "
+               "`pair_coeff 1 1 thornton 7e10 0.3 yield_strength 3e8 tangential mindlin NULL "
+               "1.0 0.5`");
   const ContactLine line = read({words + 2, words + count}, "pair_coeff");
   // Make init_style() mix these types again, because the new line may change a body or a law.
   for (const auto& [i, j] : mixed_) setflag[i][j] = 0;
@@ -186,7 +187,7 @@ void PairStyle::init_style() {
   }
 }
 
-// Gives the models of `mixed` lines the present bodies of their atom types.
+// Updates the models of `mixed` lines to the present bodies of their atom types.
 void PairStyle::set_mixed_models() {
   for (int i = 1; i <= atom->ntypes; ++i)
     for (int j = i + 1; j <= atom->ntypes; ++j) {
@@ -211,7 +212,8 @@ std::map<std::pair<int, int>, std::string> PairStyle::models_of_pairs() {
   return models;
 }
 
-// Stops if contacts would continue with the history of other models.
+// Stops the run if a pair of atom types has another law or other models than in the last run. Its
+// contacts would otherwise continue with a history that belongs to the old models.
 void PairStyle::check_models() {
   if (last_models_.empty()) return;
   for (const auto& [types, text] : models_of_pairs()) {
@@ -230,8 +232,8 @@ void PairStyle::check_models() {
 }
 
 // Returns the positions of the models' values in the contact history, which are the same for all
-// pairs of atom types. Computes them as LAMMPS does in init_style(), because read_restart() needs
-// the positions before.
+// pairs of atom types. read_restart() needs these positions before LAMMPS computes them in
+// init_style(). Therefore this function repeats the computation.
 std::vector<int> PairStyle::offsets() const {
   std::vector<int> all{0};
   for (int part = 0; part < LAMMPS_NS::Granular_NS::NSUBMODELS; ++part) {
@@ -273,7 +275,7 @@ void PairStyle::expect_impacts() {
   const ImpactForecast forecast(type_extremes(lmp, all), all_types(atom->ntypes), false, {});
   for (const Meeting& meeting : forecast.meetings()) {
     const auto [first, second] = std::minmax(meeting.type, meeting.partner_type);
-    // In `pair_style hybrid`, these types may have another style.
+    // In `pair_style hybrid`, these types may have another pair style.
     if (setflag[first][second]) impacts.push_back({meeting, model_of(first, second).law});
   }
   RunTimeChecks::of(lmp).expect(impacts);
@@ -288,9 +290,10 @@ void PairStyle::compute(int eflag, int vflag) {
   if (EnergyBalance::of(lmp) && force->newton_pair) comm->reverse_comm(this);
 }
 
-// Copies the history of a pair for the other particle. The parts of the history (normal,
-// tangential, ...) begin at offsets that leave space for the largest model of all type pairs.
-// LAMMPS' own function assumes that the parts of one model follow each other without gaps.
+// Copies the history of a contact from one particle of the pair to the other particle. The parts of
+// the history (normal, tangential, ...) begin at offsets that leave space for the largest model of
+// all type pairs. LAMMPS' own function assumes that the parts of one model follow each other
+// without gaps.
 void PairStyle::transfer_history(double* source, double* target, int type, int other_type) {
   const GranularModel* const model = models_list[types_indices[type][other_type]];
   for (const auto* const part : model->sub_models)
@@ -315,7 +318,7 @@ void PairStyle::unpack_reverse_comm(int count, int* particles, double* buffer) {
 }
 
 // Writes LAMMPS' own data, then the lines of the laws. LAMMPS calls this function on rank 0 only.
-// Omits the models from mix(), because mix() adds them again after a restart.
+// Omits the models that mix() has added, because mix() adds them again after a restart.
 void PairStyle::write_restart(FILE* file) {
   for (const auto& [i, j] : mixed_) setflag[i][j] = 0;
   PairGranular::write_restart(file);
@@ -350,7 +353,7 @@ void PairStyle::read_restart(FILE* file) {
   };
   set_cutoff(read_text());
   std::vector<std::pair<GranularModel*, ContactLine>> mixed;
-  Body body;  // body of one of the lines
+  Body body;  // the body of any line
   for (int k = 0; k < nmodels; ++k) {
     const ContactLine line = read(LAMMPS_NS::utils::split_words(read_text()), "read_restart");
     if (line.mixed) {
@@ -366,7 +369,7 @@ void PairStyle::read_restart(FILE* file) {
     set_model(model, line, law(line, body, body, "read_restart"));
   set_mixed_models();
   last_offsets_ = offsets();
-  mix_types();  // so that check_models() compares all pairs
+  mix_types();  // so that check_models() compares all pairs of atom types
   last_models_ = models_of_pairs();
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// `pair_style granular/plastigran`: LAMMPS' pair style granular with the laws for the normal force.
+// `pair_style granular/plastigran`: LAMMPS' pair style granular with Plastigran's laws for the
+// normal force.
 //
 //   pair_coeff 1 1 universal 7e10 0.3 yield_strength 3e8 tangential mindlin_rescale NULL 1.0 0.5
 //
@@ -71,7 +72,7 @@ class PairStyle : public LAMMPS_NS::PairGranular, public ContactTally {
 
   std::string cutoff_;  // argument of pair_style; empty if it has none
   std::map<LAMMPS_NS::Granular_NS::GranularModel*, Model> models_;
-  std::vector<std::pair<int, int>> mixed_;  // pairs of atom types that no line names together
+  std::vector<std::pair<int, int>> mixed_;  // pairs of atom types without a line of their own
   // Models of the last run, or of the restart file, by pair of atom types, and offsets of their
   // history.
   std::map<std::pair<int, int>, std::string> last_models_;

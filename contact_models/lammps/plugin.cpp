@@ -45,8 +45,9 @@ bool fits(const LAMMPS& lammps) {
 }  // namespace
 }  // namespace plastigran
 
-// Warns if the plugin was built for another LAMMPS. An error would stop every LAMMPS that finds the
-// plugin in LAMMPS_PLUGIN_PATH, even with decks that do not use it.
+// Registers the styles. If the plugin was built for another version of LAMMPS, only warns: an error
+// would stop every run of LAMMPS that finds the plugin in LAMMPS_PLUGIN_PATH, even if its deck does
+// not use the plugin.
 extern "C" __attribute__((visibility("default"))) void lammpsplugin_init(void* host, void* handle,
                                                                          void* register_style) {
   using namespace plastigran;
@@ -55,7 +56,8 @@ extern "C" __attribute__((visibility("default"))) void lammpsplugin_init(void* h
   if (!fits(*lammps)) {
     lammps->error->warning(FLERR,
                            "plastigranplugin.so was built for LAMMPS {} ({}), but this is LAMMPS "
-                           "{} ({}); its styles are not available. Build the plugin again",
+                           "{} ({}); its styles are not available. Build the plugin for this "
+                           "version",
                            PLASTIGRAN_LAMMPS_VERSION, tag, lammps->version,
                            LAMMPS::git_descriptor());
     return;

@@ -21,7 +21,8 @@ namespace {
 
 constexpr const char* fix_id = "plastigran_checks";
 
-// Counts of a law on all ranks in a restart file.
+// Record of one law in a restart file: number of contacts beyond the validity range, and largest
+// ratio of overlap to limit, over all ranks.
 struct Stored {
   char law[64];
   double contacts, furthest;
@@ -63,7 +64,8 @@ void RunTimeChecks::expect(const std::vector<ExpectedImpact>& impacts) {
     if (step == 0 || check.timestep < step) step = check.timestep, step_speed = meeting.speed;
     if (!check.in_range) outside[law->name] = std::max(outside[law->name], meeting.speed);
   }
-  // Warn again only of shorter time steps or higher speeds.
+  // Repeat a warning only if the recommended time step is shorter, or the impact speed higher, than
+  // in the last warning.
   if (step > 0 && update->dt > step && (warned_step_ == 0 || step < 0.99 * warned_step_)) {
     warned_step_ = step;
     error->warning(FLERR,

@@ -30,7 +30,8 @@ class RunTimeChecks : public LAMMPS_NS::Fix {
   // Returns the fix of a simulation; creates it if there is none. All ranks must call this.
   static RunTimeChecks& of(LAMMPS_NS::LAMMPS* lammps);
 
-  // Returns the counts of a law on this rank, for all pairs and walls. All ranks must call this.
+  // Returns the record of contacts beyond the validity range of a law on this rank, for all pairs
+  // and walls. All ranks must call this.
   RangeAccount* account(const RuntimeLaw& law);
 
   // Warns if the time step is too long for an impact, or if an impact will exceed the range of its
@@ -45,8 +46,8 @@ class RunTimeChecks : public LAMMPS_NS::Fix {
   void restart(char* data) override;
 
  private:
-  // Counts of a law on this rank. The members declared here, except `range`, are used only on
-  // rank 0.
+  // Contacts beyond the validity range of one law on this rank. The members declared here, except
+  // `range`, are used only on rank 0.
   struct Excess : RangeAccount {
     std::string range;            // validity range in words
     double all_contacts = 0;      // number of contacts beyond the range on all ranks
@@ -59,7 +60,7 @@ class RunTimeChecks : public LAMMPS_NS::Fix {
   void warn(const std::string& text);
 
   std::map<std::string, Excess> laws_;
-  double warned_step_ = 0;  // shortest time step recommended in this run [s]; 0 if none was
+  double warned_step_ = 0;  // shortest time step recommended in this run [s]; 0 without one
 };
 
 }  // namespace plastigran

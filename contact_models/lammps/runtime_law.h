@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// A law between two materials, selected by its name at run time. The functions receive a state as a
-// pointer to its values in the contact history. `factor` is the rate factor of the contact.
+// A law between two materials, selected by its name at run time. The functions receive the state of
+// a contact as a pointer to its values in the contact history. The argument `factor` is the rate
+// factor of the contact, which multiplies the yield strength.
 #pragma once
 
 #include <algorithm>
@@ -42,7 +43,8 @@ class RuntimeLaw {
                           double* state) const = 0;
   virtual double plastic_work(double radius_eff, double factor, const double* state) const = 0;
   virtual double pull_off_distance(double radius_eff) const = 0;
-  // Returns the energy lost if the contact formed or broke in the step from `before` to `now` [J].
+  // Returns the energy that is lost if the contact formed or broke in a step [J]. `before` and
+  // `now` are the states before and after the step.
   virtual double lost_at_ends(double radius_eff, const double* before, const double* now) const = 0;
   // Returns whether the bodies are in contact; always true for laws whose contacts cannot stretch.
   virtual bool in_contact(const double* state) const = 0;

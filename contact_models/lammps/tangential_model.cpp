@@ -69,7 +69,8 @@ TangentialModel::TangentialModel(GranularModel* model, LAMMPS_NS::LAMMPS* lammps
   contact_radius_flag = 1;
   size_history = static_cast<int>(values);
   history_index = placeholder.history_index;
-  // LAMMPS multiplies the values by these factors when it stores a pair for the other particle.
+  // LAMMPS multiplies the values by these factors when it stores the history with the other
+  // particle of the pair.
   nondefault_history_transfer = 1;
   transfer_history_factor = new double[values];
   for (std::size_t k = 0; k < values; ++k) transfer_history_factor[k] = changes_sign(k) ? -1 : 1;

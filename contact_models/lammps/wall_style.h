@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// `fix wall/gran/plastigran` and `fix wall/gran/region/plastigran`: LAMMPS' granular walls with the
-// laws for the normal force. The line gives the law and the body of the wall. The bodies of the
-// particles are those of the pair style:
+// `fix wall/gran/plastigran` and `fix wall/gran/region/plastigran`: LAMMPS' granular walls with
+// Plastigran's laws for the normal force. The line gives the law and the body of the wall. The
+// bodies of the particles are those of the pair style:
 //
 //   fix floor all wall/gran/plastigran granular universal 2.1e11 0.3 yield_strength 1e9 &
 //     tangential mindlin_rescale NULL 1.0 0.5 zplane 0 NULL
@@ -32,10 +32,10 @@
 
 namespace plastigran {
 
-// Reads the line of a wall, and replaces the law in it by the words of LAMMPS' own model. It is the
-// first base class of a wall, because the constructor of LAMMPS' wall reads these words. It also
-// creates the laws, because an error after that constructor would stop in LAMMPS' destructor with
-// another message.
+// Reads the line of a wall, and replaces the law in it by the words of LAMMPS' own model. The
+// constructor of LAMMPS' wall reads these words, so this class must be the first base class of a
+// wall. This class also creates the laws: after an error that follows LAMMPS' constructor, LAMMPS'
+// destructor would stop the run with a misleading message.
 class WallLine {
  public:
   WallLine(LAMMPS_NS::LAMMPS* lammps, int count, char** words);
@@ -67,7 +67,7 @@ class WallStyle : private WallLine, public LammpsWall, public ContactTally {
     NormalModel::replace(this->model, lammps, laws(), tangential(), *this);
     this->size_history = history_size();
     this->use_history = this->restart_peratom = this->restart_global = 1;
-    this->memory->destroy(this->history_one);  // LAMMPS allocated it for its own model
+    this->memory->destroy(this->history_one);  // allocated for LAMMPS' own model
     this->grow_arrays(this->atom->nmax);
     for (int i = 0; i < this->atom->nlocal; ++i) this->set_arrays(i);
     this->vector_flag = this->extvector = this->global_freq = 1;
@@ -94,7 +94,7 @@ class WallStyle : private WallLine, public LammpsWall, public ContactTally {
     normal->count_in(RunTimeChecks::of(this->lmp).account(*normal->laws().front()));
   }
 
-  // Writes law and models to the restart file.
+  // Writes the law, and the names and history sizes of the models, to the restart file.
   void write_restart(FILE* file) override {
     if (this->comm->me != 0) return;
     const std::string text = law_and_models();
@@ -103,7 +103,8 @@ class WallStyle : private WallLine, public LammpsWall, public ContactTally {
     std::fwrite(text.c_str(), 1, static_cast<std::size_t>(size), file);
   }
 
-  // Stops if contacts would continue with the history of other models.
+  // Stops the run if the restart file has another law or other models. The contacts would otherwise
+  // continue with a history that belongs to the old models.
   void restart(char* text) override {
     if (law_and_models() != text)
       this->error->all(FLERR,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Type-erased law and contact history, with which one Python binding works for all laws.
+// Interfaces of a law and of a contact history without their C++ types. They allow one Python
+// binding for all laws.
 #pragma once
 
 #include <array>
@@ -39,13 +40,14 @@ class AnyLaw {
                                       const ImpactOutcome& impact) const = 0;
 };
 
-// Returns whether a history belongs to a law. Also compares the names of the values: a law with
-// adhesion has the same name as without adhesion, but different state variables.
+// Returns whether a history belongs to a law. Compares the name of the law and the names of the
+// state variables, because adhesion changes only the state variables of a law, not its name.
 inline bool is_state_of(const AnyState& state, const AnyLaw& law) {
   return state.law == law.name() && state.names == law.state_names();
 }
 
-// Histories of an array of contacts: the caller's State objects, or zeros for first loading.
+// Histories of an array of contacts: the State objects that the caller passes, or zeros for first
+// loading.
 class States {
  public:
   // Creates one history per contact; `shape` is the shape of the array of contacts. Raises

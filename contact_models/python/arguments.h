@@ -35,7 +35,7 @@ struct Argument {
   nb::object given;
   Allowed allowed;
   const char* unit;
-  bool one_per_path = false;  // whether an array has one value per path and needs a last axis
+  bool one_per_path = false;  // true if an array has one value per path of overlaps
 };
 
 class Broadcast {
@@ -44,8 +44,8 @@ class Broadcast {
   // names argument, index, value and range), or for shapes that cannot be broadcast.
   explicit Broadcast(std::initializer_list<Argument> arguments);
 
-  // Returns the value of argument number `argument` for an element of the broadcast shape in C
-  // order.
+  // Returns the value of one argument for one element. `argument` is the number of the argument,
+  // from 0. `element` is the index in the flattened broadcast shape, in C order.
   double operator()(std::size_t argument, std::size_t element) const {
     const Column& column = columns_[argument];
     return column.array.is_valid() ? column.array.data()[element] : column.number;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Functions that bind the parts of the Python module common to all laws.
+// Functions that bind those parts of the Python module that all laws have in common.
 #pragma once
 
 #include "any_law.h"

@@ -136,8 +136,8 @@ void bind_bodies(nb::module_& module) {
   module.def(
       "body_constants", &constant_table, nb::sig("def body_constants() -> list[dict[str, Any]]"),
       R"(Return one dict per constant of a body: name, symbol, unit, lower and upper (bounds), above
-(True if the lower bound is excluded), default (None if the constant is required; a default is
-always allowed), and meaning.)");
+(True if the lower bound is excluded), default (None if the constant is required; the bounds do not
+apply to the default), and meaning.)");
 
   nb::class_<MaterialPair> pair(
       module, "MaterialPair",

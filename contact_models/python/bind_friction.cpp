@@ -89,7 +89,8 @@ void bind_tangential(nb::module_& module, nb::dict& all, const char* class_name,
     State restored(nb::cast<std::vector<std::size_t>>(values[0]));
     const nb::bytes history(values[1]);
     if (history.size() != restored.states.size() * sizeof(typename Law::State))
-      throw std::invalid_argument("the pickled histories are those of another law");
+      throw std::invalid_argument(
+          "the pickled histories belong to another law; load them with the law that saved them");
     std::memcpy(static_cast<void*>(restored.states.data()), history.c_str(), history.size());
     new (&self) State(std::move(restored));
   });

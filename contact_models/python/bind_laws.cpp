@@ -54,8 +54,8 @@ Broadcast impact_arguments(const nb::object& radius_eff, const nb::object& mass_
                     {"speed", speed, positive, "m/s"}});
 }
 
-// Returns the outcome of an impact. Throws if its largest overlap is too small or too large to be
-// computed.
+// Returns the outcome of an impact. Throws an exception if the largest overlap is too small or too
+// large for the computation.
 ImpactOutcome impact_of(const AnyLaw& law, double radius_eff, double mass_eff, double speed) {
   constexpr double least = 1e-30, largest = 1e6;  // overlap/R* [-]
   const ImpactOutcome impact = law.central_impact(radius_eff, mass_eff, speed);
@@ -166,8 +166,8 @@ Args:
     radius_eff: R* [m], positive. All arguments except `state` are numbers or arrays; arrays
         broadcast together.
     overlap: Overlap [m].
-    state: History of the contact, updated at a new extreme; for an array of contacts an array of
-        histories with the broadcast shape. None for first loading.
+    state: History of the contact; an array of histories with the broadcast shape for an array of
+        contacts. The call updates it if the overlap reaches a new extreme. None for first loading.
     overlap_rate: Overlap rate [m/s], positive while closing; used only by `rate_dependent` laws.
 
 Returns:
@@ -191,8 +191,8 @@ strain rate of an impact, use the law that `at_impact` returns.
 Args:
     radius_eff: R* [m], positive: a number, or an array of shape (...) with one value per path.
     overlap: Overlaps [m], shape (..., N). The last axis is the path of one contact.
-    state: History at the start of the path, updated along it; an array of shape (...) for several
-        paths. None for first loading.
+    state: History of the contact at the start of the path; the call updates it. An array of shape
+        (...) for several paths. None for first loading.
     overlap_rate: Overlap rate [m/s], positive while closing, broadcast with `overlap`; None for
         zero. Used only by `rate_dependent` laws.
 

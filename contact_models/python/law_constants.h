@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Constants and options of a law in Python: parsing of keyword arguments, tables, constructor
-// signature and docstring.
+// Constants and options of a law in Python. Parses the keyword arguments, and creates the tables,
+// the signature and the docstring of the constructor.
 #pragma once
 
 #include <nanobind/stl/string.h>
@@ -50,7 +50,7 @@ typename Law::Parameters parse_constants(const MaterialPair& pair, const nb::dic
       throw std::invalid_argument(name + " is " + nb::cast<std::string>(nb::repr(value)) +
                                   "; it must be a number [" + known->unit + "]");
     const double number = constants.*(known->value);
-    if (std::isnan(number))  // reject NaN, because for `validate` NaN marks a missing constant
+    if (std::isnan(number))  // for `validate`, NaN means that a constant is missing
       raise_if(Complaint::about(name, number, allowed_values(*known)),
                std::string(Law::name) + ": ");
   }
@@ -58,7 +58,7 @@ typename Law::Parameters parse_constants(const MaterialPair& pair, const nb::dic
   return constants;
 }
 
-// Returns a table of a law as a list of dicts, one per row. `fill` adds the entries that only this
+// Returns a table of a law as a list of dicts, one per row. `fill` adds the columns that only this
 // table has.
 template <class Table, class Fill>
 nb::list rows(const Table& table, const Fill& fill) {

@@ -45,7 +45,7 @@ def script(lines: str) -> str:
         (line(f"thornton {BODY} viscous -1"), "viscous is -1; it must be a number, 0 or more"),
         (
             line(f"thornton {BODY} viscous 2") + " damping tsuji",
-            "viscous is 2; with this damping model it must be a restitution, 0 to 1",
+            "viscous is 2; with this damping model it must be a coefficient of restitution, 0 to 1",
         ),
         (f"{PLAIN} tangential partial_slip", "give the coefficient of friction, 0 or more"),
         (f"{PLAIN} tangential partial_slip 0.5 rings 9", "rings is `9`; it must be a whole number"),
@@ -63,7 +63,7 @@ def script(lines: str) -> str:
             "yield_strength is given twice; give it once",
         ),
         (f"{GOOD}compute energy all plastigran/energy all", "unknown word all; remove it"),
-        (f"{PAIR}pair_coeff * *", "pair_coeff: give atom types, law and body"),
+        (f"{PAIR}pair_coeff * *", "pair_coeff: words are missing; give atom types, law and body"),
         (line(f"jkr {BODY}"), "jkr: surface_energy"),
         (line(f"universal {BODY} yielding cube"), "yielding is cube; it must be"),
         (line(f"lim_stronge {BODY}"), "the law is for cylinders; use a law for spheres"),
@@ -139,8 +139,8 @@ def script(lines: str) -> str:
             "atom types 1 and 2 have another law or other models than in the last run",
         ),
         (
-            # After the restart, LAMMPS deletes the unused model of the second line, whose history
-            # has more values.
+            # The third line replaces the model of the second line, whose history has more values.
+            # LAMMPS deletes this unused model only at the restart.
             f"{TWO}thornton {BODY} rate_coefficient 0.01 {FRICTION}\n"
             f"pair_coeff 2 2 thornton {BODY} {FRICTION}\n{RESTART}",
             "new pair_coeff lines move the values of the contact history",
