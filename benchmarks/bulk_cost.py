@@ -8,8 +8,9 @@
 First, a run with `hertz` settles the grains of each deck (kept in build/bench/bulk_cost). Then all
 laws start from the same positions, on one and on two ranks, with the time steps of `plastigran
 reproduce dosta24`. The grains are softened, so that they settle in few steps. Times are elapsed
-times without the start of LIGGGHTS. Ratios are taken within a round. After a change of the decks,
-delete the settled grains in build/bench/bulk_cost.
+times without the start of LIGGGHTS. In a round, every law runs once, and ratios are computed from
+the times of the same round. After a change of the decks, delete the settled grains in
+build/bench/bulk_cost.
 """
 
 from __future__ import annotations
@@ -85,7 +86,7 @@ def seconds(deck: str, law: str, ranks: int, steps: int) -> tuple[float, int]:
     line = r"^Loop time of (\S+) on \d+ procs for (\d+) steps with (\d+) atoms"
     times = re.findall(line, log, re.MULTILINE)
     if not times:
-        raise EngineError(f"{folder}: the log lacks the table of times")
+        raise EngineError(f"{folder}: the log has no line `Loop time`; look there for an error")
     loop, done, grains = times[-1]
     return float(loop) * steps / int(done), int(grains)
 
@@ -96,10 +97,16 @@ def main() -> None:
         "--case", nargs="+", choices=CASES, default=list(CASES), help="default: all"
     )
     parser.add_argument(
-        "--repeats", type=positive_integer, default=3, help="rounds (default: %(default)s)"
+        "--repeats",
+        type=positive_integer,
+        default=3,
+        help="number of rounds (default: %(default)s)",
     )
     parser.add_argument(
-        "--steps", type=positive_integer, default=200, help="timed steps (default: %(default)s)"
+        "--steps",
+        type=positive_integer,
+        default=200,
+        help="number of timed steps (default: %(default)s)",
     )
     options = parser.parse_args()
     rows = []

@@ -67,7 +67,8 @@ CASES = {
 class FiniteMetal:
     """Von Mises plasticity without hardening, F = F_e F_p, with the methods of a FElupe material.
 
-    The state is (F_p^T F_p)^-1 - 1, as nine numbers, because FElupe's initial state is zero.
+    The state is (F_p^T F_p)^-1 - I, with the unit tensor I, as nine numbers. It is zero before
+    yield, because FElupe begins with zero states.
     """
 
     def __init__(self, material: ElasticPlastic) -> None:
@@ -119,7 +120,8 @@ def by_felupe(case: Case, approaches: np.ndarray) -> np.ndarray:
     reach = contact_reach(sphere, case.force)
     source = case.settings.mesh(sphere, reach, whole=False).build()
     corners, edges = source.t[:4].T, source.nvertices + source.t2f.T
-    # In FElupe, the first coordinate is along the axis, so elements have the opposite orientation.
+    # In FElupe, the first coordinate is along the axis, so the nodes of each element need the
+    # reverse order.
     cells = np.hstack([corners[:, [0, 3, 2, 1]], edges[:, [3, 2, 1, 0]]])
     nodes = np.unique(cells)
     points = source.doflocs[::-1, nodes].T

@@ -40,7 +40,7 @@ def instructions(name: str) -> int:
     """Return the number of instructions of the pair forces of a law in all steps.
 
     Raises:
-        EngineError: LAMMPS stopped, or callgrind counted nothing.
+        EngineError: LAMMPS stopped, or callgrind counted no instructions.
     """
     WORK.mkdir(parents=True, exist_ok=True)
     contender = CONTENDERS[name]
@@ -67,7 +67,7 @@ def instructions(name: str) -> int:
     sums = [re.search(r"^(?:summary|totals): (\d+)", text, re.M) for text in texts]
     total = max((int(match[1]) for match in sums if match), default=0)
     if not total:
-        raise EngineError(f"{name}: callgrind counted nothing")
+        raise EngineError(f"{name}: callgrind counted no instructions of the pair forces")
     return total
 
 

@@ -61,7 +61,7 @@ def yield_overlap(nu: float, strength: float) -> float:
     """Return the overlap [m] at which the mean Hertz pressure reaches the limit of MDR.
 
     The pressure is 4 E' sqrt(d/R)/(3 pi). The limit is sigma_Y (1.75 exp(-4.4 d/R) + 1). The result
-    is larger than the exact overlap by a relative 1e-12.
+    exceeds the exact overlap by the factor 1 + 1e-12.
     """
     low, high = 0.0, 1.0
     for _ in range(200):

@@ -32,7 +32,7 @@ class Row:
 
 
 def write_rows(page: Path, part: str, rows: list[Row]) -> None:
-    """Replace the table of a part in a page: the lines between two HTML comments.
+    """Replace one table in a page of the documentation. The table stands between two HTML comments.
 
     The first comment contains the name of the part, the second comment the word `end`.
     """

@@ -62,7 +62,7 @@ def instructions(contender: str, bed: Path, shape: str, tangential: str = "histo
     """Return the number of instructions of the pair forces in all steps.
 
     Raises:
-        EngineError: LIGGGHTS stopped, or callgrind counted nothing.
+        EngineError: LIGGGHTS stopped, or callgrind counted no instructions.
     """
     folder = WORK / "count"
     folder.mkdir(parents=True, exist_ok=True)
@@ -81,7 +81,7 @@ def instructions(contender: str, bed: Path, shape: str, tangential: str = "histo
         raise EngineError(f"{contender}: {done.stdout[-300:]} {done.stderr[-300:]}")
     total = re.search(r"^(?:summary|totals): (\d+)", out.read_text(errors="replace"), re.M)
     if not total or int(total[1]) == 0:
-        raise EngineError(f"{contender}: callgrind counted nothing")
+        raise EngineError(f"{contender}: callgrind counted no instructions of the pair forces")
     return int(total[1])
 
 

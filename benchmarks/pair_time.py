@@ -123,7 +123,7 @@ def bed_variables(
 
     Args:
         contender: Name of the law, and a suffix for energy balance or a tangential model.
-        state: Key of `YIELD_STRENGTH`.
+        state: `plastic` or `elastic`, which selects the yield strength.
         bed: Data file of the bodies.
         steps: Time steps of each phase.
         shape: Shape of the bodies.
@@ -285,7 +285,7 @@ def main() -> None:
         nargs="+",
         choices=list(laws.TANGENTIAL_LAWS),
         default=[],
-        help="compare tangential models with history, separately for every law",
+        help="compare these tangential models with `history`, separately for every law",
     )
     parser.add_argument("--grains", type=int, default=20_000, help="default: %(default)s")
     parser.add_argument(
@@ -295,7 +295,10 @@ def main() -> None:
         help="copies of the bed of spheres along each side",
     )
     parser.add_argument(
-        "--repeats", type=positive_integer, default=10, help="rounds (default: %(default)s)"
+        "--repeats",
+        type=positive_integer,
+        default=10,
+        help="number of rounds (default: %(default)s)",
     )
     parser.add_argument(
         "--steps",

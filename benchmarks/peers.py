@@ -67,7 +67,7 @@ class Contender:
     style: str = ""
 
     def run(self, bed: Path, strength: float, steps: int, restitution: float, folder: Path) -> str:
-        """Move the bed along its paths with this law, and return the log."""
+        """Move the spheres of the bed along their paths with this law, and return the log."""
         variables: dict[str, object] = {"bed": bed, "steps": steps}
         if self.properties:
             variables["properties"] = HERE / "peers" / self.properties
@@ -125,7 +125,10 @@ def same_physics(bed: Path, steps: int) -> float:
         forces.append(table[["fx", "fy", "fz"]].to_numpy())
     one, other = forces
     if one.shape != other.shape:
-        raise EngineError(f"{len(one)} grains in LIGGGHTS, {len(other)} in LAMMPS")
+        raise EngineError(
+            f"LIGGGHTS wrote the forces of {len(one)} grains, LAMMPS of {len(other)}; both must "
+            f"write all grains of {bed}"
+        )
     return float(np.abs(one - other).max() / np.sqrt((one**2).sum(axis=1).mean()))
 
 
@@ -206,7 +209,10 @@ def main() -> None:
     parser.add_argument("--law", nargs="+", choices=laws, default=laws, help="default: all")
     parser.add_argument("--grains", type=int, default=20_000, help="default: %(default)s")
     parser.add_argument(
-        "--repeats", type=positive_integer, default=5, help="rounds (default: %(default)s)"
+        "--repeats",
+        type=positive_integer,
+        default=5,
+        help="number of rounds (default: %(default)s)",
     )
     parser.add_argument(
         "--steps",

@@ -106,7 +106,10 @@ def main() -> None:
         help="largest number of calls (default: %(default)s)",
     )
     parser.add_argument(
-        "--seed", type=int, default=1, help="seed of the first pair (default: %(default)s)"
+        "--seed",
+        type=int,
+        default=1,
+        help="seed of the first pair of bodies (default: %(default)s)",
     )
     options = parser.parse_args()
     pairs = -(-options.calls // (CONTACTS * STEPS))

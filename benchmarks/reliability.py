@@ -67,7 +67,7 @@ def main() -> None:
 
 
 def restarts(folder: Path, count: int) -> Iterator[Row]:
-    """Restart oblique collisions at random steps of the contact, for pair, plane and mesh."""
+    """Restart oblique collisions of two spheres, or of a sphere with a plane or mesh."""
     decks = PROJECT / "tests" / "conformance" / "decks"
     names = [
         name
@@ -164,7 +164,7 @@ def size(folder: Path, _: int) -> Iterator[Row]:
         "thermo 1000\nrestart 20000 ${output}/checkpoint.*.restart\nrun 20000 upto\n"
     )
     (folder / "cooling_gas.in").write_text(text)
-    with get_context("spawn").Pool(1) as pool:  # a process whose only children are the ranks
+    with get_context("spawn").Pool(1) as pool:  # its only children are the ranks
         peak = pool.apply(_largest_rank, (folder / "cooling_gas.in", values, folder))
     loop = re.findall(
         r"Loop time of (\S+) on 2 procs for 20000 steps with (\d+) atoms", log.read_text()

@@ -24,7 +24,8 @@ from plastigran.engine.checkpoints import PATTERN, step_of
 from plastigran.engine.log import LogFollower
 from plastigran.engine.process import EngineError, engines
 
-#: Settings of a gas whose run takes some seconds and writes a checkpoint every tenth of a second.
+#: Settings of a granular gas whose run takes some seconds and writes a checkpoint every tenth of a
+# second.
 SMALL = {"side": "5", "duration": "100", "rows": "200", "checkpoints": "50", "mixing": "1"}
 
 

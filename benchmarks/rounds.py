@@ -11,7 +11,10 @@ from plastigran.engine.process import EngineError
 
 
 def turns(names: list[str], repeats: int, bar: str = "") -> Iterable[tuple[int, str]]:
-    """Return round and name of each run. Each round begins with the next name of the list."""
+    """Return round and name of each run.
+
+    A round contains one run of every name. Each round begins with another name.
+    """
     order = [
         (round_, name)
         for round_ in range(repeats)

@@ -6,13 +6,14 @@
     ./run bench size --part cost --grains 1000000 --repeats 1
 
 A bed of 25 by 25 by 20 grains settles once on a floor (size/settle.in, kept in build/bench/size).
-Wider beds are copies of this bed side by side. All laws run once per round, and ratios are taken
-within a round. Times are processor times, except that the comparison of ranks uses elapsed times.
+Wider beds are copies of this bed side by side. All laws run once per round, and ratios are computed
+from the times of the same round. Times are processor times, except that the comparison of ranks
+uses elapsed times.
 
     cost        time and memory of laws, without and with energy balance; checkpoint and restart
     ranks       strong and weak scaling on two ranks, and the cost of two beds at the same time
-    settings    parts of the time of a step, and the effect of the deck's settings
-    many        differences between one bed on 1 and on 64 ranks that share the cores
+    settings    parts of the time of a step, and the effect of settings of the deck
+    many        differences between the results on 1 rank and on 64 ranks, which share the cores
     calls       messages and reductions of a step on four ranks (size/mpi_calls.c)
     maps        memory of the table of all atom IDs, which every rank stores
 """
@@ -134,15 +135,21 @@ def main() -> None:
     )
     parser.add_argument(
         "--grains", type=int, nargs="+", choices=WIDTHS, default=[50_000, 200_000], metavar="N",
-        help=f"numbers of grains, of {', '.join(map(str, WIDTHS))}; `ranks` and `settings` use the "
+        help=f"numbers of grains: {', '.join(map(str, WIDTHS))}; `ranks` and `settings` use the "
         "first number",
     )  # fmt: skip
     parser.add_argument("--law", nargs="+", choices=LAWS, default=list(LAWS), help="default: all")
     parser.add_argument(
-        "--repeats", type=positive_integer, default=3, help="rounds (default: %(default)s)"
+        "--repeats",
+        type=positive_integer,
+        default=3,
+        help="number of rounds (default: %(default)s)",
     )
     parser.add_argument(
-        "--steps", type=positive_integer, default=100, help="timed steps (default: %(default)s)"
+        "--steps",
+        type=positive_integer,
+        default=100,
+        help="number of timed steps (default: %(default)s)",
     )
     options = parser.parse_args()
     options.law = [REFERENCE, *(law for law in options.law if law != REFERENCE)]

@@ -87,7 +87,7 @@ def base(across: int = 25, high: int = 20, steps: int = 8000) -> Path:
 
 
 def widen(settled: Path, along_x: int, along_y: int, first: int = 1, along_z: int = 1) -> Path:
-    """Return the data file of copies of a bed side by side; make it if it is missing or older.
+    """Return the data file of copies of a bed side by side; make it if it is missing or old.
 
     Args:
         settled: Data file of the bed, periodic in the directions in which it is copied.
@@ -149,7 +149,7 @@ def run(
     ghosts = re.search(r"^Nghost: +(\S+) ave", part, re.MULTILINE)
     pairs = re.search(r"^Total # of neighbors = (\d+)", part, re.MULTILINE)
     if not (head and ghosts and pairs and all(times.values())):
-        raise EngineError(f"{folder}: the log lacks the table of times")
+        raise EngineError(f"{folder}: the log has no table of times; look there for an error")
     return Run(
         grains=int(head[2]),
         ranks=ranks,
@@ -167,6 +167,6 @@ def run(
 
 
 def _bytes(file: Path) -> float:
-    """Return the median memory [bytes] in a file of kernel reports; nan if the file is empty."""
+    """Return the median memory [bytes] in a file of lines `VmRSS: N kB`; nan if it is empty."""
     kilobytes = [int(line.split()[1]) for line in file.read_text().splitlines()]
     return 1024 * float(np.median(kilobytes)) if kilobytes else float("nan")

@@ -4,11 +4,11 @@
 
     .venv/bin/python benchmarks/size_model.py    # after ./run bench size --part cost
 
-In the model, a rank owns a cube of n grains. With `newton off`, both ranks compute a contact across
-a face of the cube. A rank sends the grains near its faces to six ranks. One reduction decides
-whether all ranks rebuild their neighbor lists. The times of contacts and of ghost atoms are fitted
-to the runs of size.py. The numbers of contacts and ghost atoms follow from geometry and agree with
-a count on four ranks. size/mpi_calls.c counts bytes and calls. The fields of `Cluster`
+In the model, each rank owns the grains in a cube. With `newton off`, both ranks compute a contact
+across a face of the cube. A rank sends the grains near its faces to six ranks. One reduction
+decides whether all ranks rebuild their neighbor lists. The times of contacts and of ghost atoms are
+fitted to the runs of size.py. The numbers of contacts and ghost atoms follow from geometry and
+agree with a count on four ranks. size/mpi_calls.c counts bytes and calls. The fields of `Cluster`
 are assumptions, which were not measured.
 """
 
@@ -108,8 +108,8 @@ def step_time(grains: float, ranks: int, costs: Costs, cluster: Cluster) -> dict
 def fit(table: pd.DataFrame, law: str = "thornton") -> Costs:
     """Fit the costs to the rounds of `size.py --part cost`, by medians.
 
-    The time of ghost atoms is a row in the table of LIGGGHTS, scaled from elapsed to processor
-    time.
+    The time of ghost atoms is the row `Comm` in the table of times that LIGGGHTS prints, scaled
+    from elapsed to processor time.
     """
     rows = table[table["law"] == law]
     steps = rows["processor"] / rows["steps"]
@@ -152,7 +152,7 @@ def main() -> None:
     }
     if not files:
         raise SystemExit(
-            "ERROR: results/bench/size_cost_*.csv is missing. Do `./run bench size` first"
+            "ERROR: results/bench/size_cost_*.csv is missing. Run `./run bench size` first"
         )
     largest = Path(files[max(files)])
     costs, cluster = fit(pd.read_csv(largest)), Cluster()

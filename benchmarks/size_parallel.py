@@ -74,7 +74,10 @@ def many(options: argparse.Namespace, count: int = 64) -> None:
         print(f"{number} ranks: {monotonic() - began:.0f} s")
     one, other = ends[1], ends[count]
     if list(one["id"]) != list(other["id"]):
-        raise EngineError(f"{len(one)} grains on one rank, {len(other)} on {count}")
+        raise EngineError(
+            f"the final states have different grains: {len(one)} on one rank, {len(other)} on "
+            f"{count} ranks"
+        )
     for quantity, columns, scale in (
         ("positions / smallest radius", ["xu", "yu", "zu"], 2e-3),
         ("velocities / largest velocity", ["vx", "vy", "vz"], None),
@@ -106,7 +109,7 @@ def calls(options: argparse.Namespace) -> None:
 
 
 def maps(options: argparse.Namespace) -> None:
-    """Print the memory of the base bed for small and for large atom IDs, as in a huge bed."""
+    """Print the memory of the base bed with small atom IDs, and with large IDs as in a huge bed."""
     for first in (1, 250_000_000):
         for way in ("array", "hash"):
             bed = widen(base(), 1, 1, first)

@@ -67,7 +67,7 @@ TUTORIALS = (
 
 
 def shortened(text: str, tutorial: Tutorial) -> str:
-    """Return the deck with fewer steps, without dumps and without a grid of ranks."""
+    """Return the deck with fewer steps, without its commands `dump` and `processors`."""
     text = re.sub(r"&\s*\n", " ", text.replace("\r", ""))
     text = re.sub(r"(?m)^\s*(dump|processors).*\n", "", text)
     if tutorial.steps:

@@ -1,15 +1,16 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Compare random scenes in LIGGGHTS with a replay: forces, contact history and energy balance.
+"""Compare forces and energies of random scenes in LIGGGHTS with a replay in Python.
 
     .venv/bin/python benchmarks/random_scenes --scenes 1000
 
 Each scene has a random law for spheres with random options, and one to three materials. Two to
 fourteen particles approach each other. Each side of the box is periodic or a wall; one wall may be
-a mesh. A scene runs on one to four ranks, in up to four runs. Between runs, an event deletes,
-creates or displaces particles, resets the step, repeats the pair style, or restarts on other ranks.
-The replay computes the expected forces, elastic energy and plastic work only from the positions in
-the frames. A scene follows from its seed: `--seed 17 --scenes 1 --keep FOLDER` repeats scene 17.
+a mesh. A scene runs on one to four ranks, in up to four runs. Between two runs, an event deletes,
+creates or displaces particles, resets the step number, gives the pair style again, or restarts the
+simulation on other ranks. The replay computes the expected forces, elastic energy and plastic work
+only from the positions in the frames. A scene follows from its seed: `--seed 17 --scenes 1 --keep
+FOLDER` repeats scene 17.
 """
 
 from __future__ import annotations
@@ -36,8 +37,9 @@ from tqdm import tqdm
 from plastigran.engine.log import LOG, read_thermo
 from plastigran.engine.process import PROJECT, run_deck
 
-#: Largest allowed difference, relative to the largest force or energy of a scene. An overlap of
-#: 1e-5 of the box has a relative round-off of 1e-11, and steep force curves multiply it by ten.
+#: Largest allowed difference, relative to the largest force or energy of a scene. Positions are
+#: rounded to 1e-16 of the box, so an overlap of 1e-5 of the box has a relative error of 1e-11. A
+#: steep force curve multiplies this error by ten.
 TOLERANCE = 1e-9
 RESULTS = PROJECT / "results" / "random_scenes.csv"
 
@@ -142,7 +144,7 @@ def match(
 
 
 def judge_in(root: Path, seed: int) -> Verdict:
-    """Call `judge` in a new folder, which is kept if the scene differs."""
+    """Call `judge` in a new folder; delete the folder if LIGGGHTS and the replay agree."""
     folder = root / str(seed)
     folder.mkdir(parents=True, exist_ok=True)
     verdict = judge(seed, folder)
@@ -160,10 +162,22 @@ def main() -> None:
         "--seed", type=int, default=1, help="seed of the first scene (default: %(default)s)"
     )
     parser.add_argument(
-        "--workers", type=int, default=2, help="scenes at the same time (default: %(default)s)"
+        "--workers",
+        type=int,
+        default=2,
+        help="number of scenes that run at the same time (default: %(default)s)",
     )
-    parser.add_argument("--keep", type=Path, help="folder for the runs of scenes that differ")
-    parser.add_argument("--output", type=Path, default=RESULTS, help="table (default: %(default)s)")
+    parser.add_argument(
+        "--keep",
+        type=Path,
+        help="folder for the files of scenes in which LIGGGHTS and the replay differ",
+    )
+    parser.add_argument(
+        "--output",
+        type=Path,
+        default=RESULTS,
+        help="file for the table of results (default: %(default)s)",
+    )
     options = parser.parse_args()
     # Let idle ranks yield the processor, because other scenes need it.
     os.environ.setdefault("OMPI_MCA_mpi_yield_when_idle", "1")

@@ -107,8 +107,8 @@ def _again(scene: Scene, event: Event) -> Iterator[str]:
 
 
 def _properties(scene: Scene) -> Iterator[str]:
-    # LIGGGHTS stops if nothing has atom type 1. A scene may delete all particles of type 1, but
-    # this template remains.
+    # LIGGGHTS stops if no particle and no template has atom type 1. A scene may delete all
+    # particles of this type, so this template has type 1.
     yield (
         "fix first all particletemplate/sphere 15485863 atom_type 1 density constant 1000 "
         "radius constant 0.05"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Compute the forces and energies of a scene from its positions, with numpy and the laws.
+"""Compute the forces and energies of a scene from the positions of its particles.
 
 The positions of the particles alone determine the contacts of every frame. The history of a contact
 begins when the overlap begins, and ends when the overlap ends. No command in the deck changes a
@@ -21,7 +21,10 @@ from plastigran import laws
 
 @dataclass
 class Contact:
-    """Law and history of a contact; the yield strength is for the rate of first touch."""
+    """Law and history of a contact.
+
+    The law has the yield strength at the strain rate of first touch.
+    """
 
     law: laws.Law
     state: object = None
@@ -50,8 +53,8 @@ class Replay:
     ) -> tuple[np.ndarray, float, float]:
         """Return forces [N], elastic energy and plastic work [J]; update the histories.
 
-        LIGGGHTS computes forces in the middle of a step, with velocities from half a step earlier.
-        At the start of a run, LIGGGHTS uses the velocities of the frame.
+        In a step, LIGGGHTS computes the forces with velocities from half a step earlier. At the
+        start of a run, LIGGGHTS uses the velocities of the frame.
 
         Args:
             names: Names of the particles, the same in all runs.
