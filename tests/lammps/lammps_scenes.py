@@ -16,14 +16,16 @@ from plastigran.materials import Material, read_material
 MATERIAL = read_material("aluminium_zv02")
 RADIUS = 5e-3
 FRICTION = "tangential mindlin_rescale NULL 1.0 0.5"
-#: Constants in addition to required ones. By default, `walton_braun` unloads as stiffly as it
-#: loads.
+#: Constants in addition to the required ones. By default, `walton_braun` unloads as stiffly as it
+#: loads, so its collisions would be elastic.
 ALSO = {"walton_braun": {"unloading_stiffness": 4e6}}
 
 
 def constants(law: str) -> dict[str, float]:
-    """Return the constants that a body lacks, for a law such as `thornton` or `thornton adhesion
-    jkr`."""
+    """Return the constants that a law needs besides those of `body`.
+
+    The name of a law may include its adhesion, such as `thornton adhesion jkr`.
+    """
     if law.endswith("adhesion jkr"):
         return {"surface_energy": VALUES["surface_energy"]}
     return required(law) | ALSO.get(law, {})
@@ -64,7 +66,7 @@ def thermo(log: str) -> pd.DataFrame:
 
 
 def box(half: float, types: int = 1) -> str:
-    """Return the lines that precede the particles."""
+    """Return the lines that create an empty box with sides of 2 `half` [m]."""
     return f"""
         units si
         atom_style sphere
@@ -102,7 +104,7 @@ def rebounds(
     density: float = MATERIAL.density,
     friction: str = FRICTION,
 ) -> dict[str, pd.DataFrame]:
-    """Collide spheres head-on in pairs, with a plane and with a region.
+    """Collide pairs of spheres, and spheres with a plane and with a region.
 
     Args:
         folder: Folder of the run.
@@ -116,7 +118,8 @@ def rebounds(
         friction: Words of LAMMPS' tangential model.
 
     Returns:
-        For `pair`, `plane` and `region`, the (N,) final states of the spheres at positive x.
+        For `pair`, `plane` and `region`, a table of the final velocities vx, vy [m/s] and spins
+        [rad/s] of the N spheres at positive x.
     """
     spheres, apart, geometries = [], 4 * RADIUS, ("plane", "region", "pair")
     for row in range(3):

@@ -42,16 +42,18 @@ def reference(tmp_path_factory) -> tuple[pd.Series, Path]:
     ],
 )
 def test_ranks_and_order_of_grains_do_not_matter(ranks, variables, reference, tmp_path):
-    """After 1000 steps, the results agree to a relative 1e-8; collisions have amplified round-off
-    to 1e-11."""
+    """The relative differences after 1000 steps are below 1e-8.
+
+    Collisions have amplified round-off to 1e-11.
+    """
     last, _ = reference
     assert_allclose(bed(tmp_path, ranks, **variables).iloc[-1][COMPARED], last[COMPARED], rtol=1e-8)
 
 
 @pytest.mark.parametrize("law", ["partial_slip", "incremental"])
 def test_tangential_laws_do_not_depend_on_the_side_of_a_pair(law, tmp_path):
-    """With `newton off`, LAMMPS stores some pairs for the other particle, and so changes the signs
-    of their histories. The energy of the tangential springs depends on these signs. The relative
+    """With `newton off`, LAMMPS stores the history of some pairs with the other particle, and
+    changes its signs. The energy of the tangential springs depends on these signs. The relative
     tolerance is 1e-8, because collisions amplify round-off.
     """
     friction = {"models": f"tangential {law} 0.5", "floor": f"tangential {law} 0.5"}
@@ -64,7 +66,7 @@ def test_tangential_laws_do_not_depend_on_the_side_of_a_pair(law, tmp_path):
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_a_restart_continues_the_contacts(ranks, reference):
-    """A run that continues from step 900, with 251 contacts, ends like the whole run.
+    """A run that continues from step 900, with 251 contacts, ends like the run without restart.
 
     The restart file contains the laws and the contact histories.
     """

@@ -21,8 +21,8 @@ from plastigran.engine.lammps import lammps_path
 from plastigran.engine.versions import HOSTS
 from plastigran.plot.frame_files import DamagedFrame, find_frames, read_frame_file
 
-#: Decks with the label of their short run, and changes of its settings. With more rows, the work of
-#: the punch has a smaller error, because it is integrated by the trapezoidal rule.
+#: Decks with the label of their short run, and changes of its settings. The work of the punch is
+#: integrated over the rows of the log by the trapezoidal rule, so more rows reduce its error.
 RUNS = {
     "cooling_gas": ("", {}),
     "compaction": ("", {"rows": 200}),
@@ -60,8 +60,8 @@ def test_a_deck_passes_its_checks(name, lammps_run):
 
 @pytest.mark.parametrize(("deck", "label"), [("cooling_gas", ""), ("bed_impact", "plate")])
 def test_both_hosts_give_the_same_series(deck, label, bulk_run):
-    """The series agree to 1e-9 of the largest value, because the hosts write variables with
-    different numbers of digits.
+    """The energies in both hosts differ by less than 1e-9 of the largest value. They are not
+    identical, because the hosts write variables with different numbers of digits.
     """
     brief = deck_class(deck).briefs[label]
     settings = {**brief.settings, **(brief.start if deck == "cooling_gas" else {})}
@@ -86,10 +86,10 @@ def test_the_bed_dissipates_as_in_liggghts(lammps_run, bulk_run):
 
 @pytest.mark.parametrize("contact", [{"law": "thornton"}, {"law": "hertz", "ledger": "off"}])
 def test_a_ball_moves_as_in_liggghts(contact, bulk_run):
-    """Without friction, the forces are the same. Round-off differs, because the hosts add forces in
-    different order, so displacements agree to 1e-9 of the largest displacement. With friction, the
-    hosts compute the slip in contacts differently, so displacements agree only within 1 %. Friction
-    changes the displacement by more than three times this tolerance.
+    """Without friction, the displacements differ by less than 1e-9 of the largest one. Only
+    round-off differs, because the hosts add the forces in different orders. With friction, the
+    hosts compute the slip in contacts differently, so the displacements agree only within 1 %.
+    Friction changes the displacement by more than three times this tolerance.
     """
     settings = {**deck_class("ball_impact").briefs[""].settings, **contact}
     settings |= {"ball_height": 0.0135, "duration": 0.0006, "rows": 10}
@@ -112,8 +112,10 @@ def test_a_ball_moves_as_in_liggghts(contact, bulk_run):
     "name", ["cooling_gas", "bed_impact-plate", "hopper", "compaction", "ball_impact"]
 )
 def test_a_run_continues(name, lammps_run, tmp_path):
-    """The sums of the energy balance have round-off, so a continued gas and shots on a plate agree
-    to 1e-9. In beds, contacts amplify round-off, so only the next row is compared, to 1e-6.
+    """The energies after a restart agree with the run without restart. For the gas and for impacts
+    on a plate, the tolerance is 1e-9 of the energy input, because sums have round-off. In beds,
+    contacts amplify round-off, so only the first row after the restart is compared, with the
+    tolerance 1e-6.
     """
     whole, deck = lammps_run(name), name.partition("-")[0]
     stopped = shutil.copytree(whole.folder, tmp_path / "stopped")
@@ -134,7 +136,8 @@ def test_a_run_continues(name, lammps_run, tmp_path):
 
 
 def test_frames_contain_the_grains_as_in_liggghts(bulk_run, tmp_path):
-    """The hosts write at least six digits. A truncated frame of LAMMPS is rejected."""
+    """The grains in the frames of both hosts agree to 1e-5, because the files have at least six
+    digits. A truncated frame of LAMMPS is rejected."""
     brief = deck_class("cooling_gas").briefs[""]
     settings = {**brief.settings, **brief.start, "frames": 2}
     runs = {host: bulk_run("cooling_gas", settings | {"host": host}) for host in HOSTS}
@@ -158,8 +161,8 @@ def test_frames_contain_the_grains_as_in_liggghts(bulk_run, tmp_path):
 
 
 def test_ranks_agree_on_the_first_impacts(bulk_run, tmp_path):
-    """The energies agree to 1e-9 of the kinetic energy, because the number of ranks changes the
-    order in which forces are added.
+    """The energies on one and on two ranks differ by less than 1e-9 of the kinetic energy. The
+    number of ranks changes the order in which forces are added, and so the round-off.
     """
     brief = deck_class("cooling_gas").briefs[""]
     settings = {**brief.settings, **brief.start, "host": "lammps"}

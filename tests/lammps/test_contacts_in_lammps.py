@@ -204,7 +204,7 @@ def test_each_grain_on_a_wall_has_the_adhesion_of_its_type(wall, tmp_path):
 
 @pytest.mark.parametrize("mixed", ["", "pair_coeff 1 2 thornton mixed"])
 def test_repeated_lines_change_the_constants_of_all_pairs(mixed, tmp_path):
-    """Lines before a second run give all contacts friction: 1-1, 1-2 and 2-2."""
+    """New lines before the second run add friction to all pairs of types: 1-1, 1-2 and 2-2."""
     pairs = [(x, y) for y in (0, 0.03, 0.06) for x in (0, 2 * RADIUS - 1e-6)]
     spheres = numbered([sphere(x, y, 0, 0, 0 if x else 0.01) for x, y in pairs])
 
@@ -236,8 +236,9 @@ def test_repeated_lines_change_the_constants_of_all_pairs(mixed, tmp_path):
 
 
 def test_new_lines_change_the_bodies_of_a_mixed_pair(tmp_path):
-    """With a new line for type 1 before the second run, the plastic work of types 1 and 2 is that
-    of a run with this line from the start. The compression begins at step 0 of the second run.
+    """A new line for type 1 before the second run also changes the law between types 1 and 2. The
+    plastic work is the same as with this line from the start, because the compression begins in the
+    second run.
     """
     weak, strong = (f"{body(attrs.evolve(MATERIAL, yield_strength=s))}" for s in (1e8, 3e8))
     lines = (
@@ -269,8 +270,8 @@ def test_new_lines_change_the_bodies_of_a_mixed_pair(tmp_path):
 
 
 def test_new_lines_change_the_tangential_stiffness(tmp_path):
-    """With a new Young's modulus before the second run, the friction force with the stiffness
-    `NULL` is that of a run with this modulus from the start. The contacts are a `mixed` pair and a
+    """A new Young's modulus before the second run also changes the tangential stiffness `NULL`. The
+    friction force is the same as with this modulus from the start, for a `mixed` pair and for a
     wall.
     """
     models = "tangential mindlin NULL 0 0.5"
@@ -332,7 +333,7 @@ def test_linear_laws_have_their_own_tangential_stiffness(law, tmp_path):
 
 
 def test_a_restart_does_not_depend_on_the_material_file(tmp_path):
-    """A run that continues after a change of the material file ends like the whole run."""
+    """A run continued after a change of the material file ends like the run without restart."""
     material = "variable youngs_modulus index 7e10\nvariable poissons_ratio index 0.3\n"
     file = tmp_path / "soft.in"
     file.write_text(f"{material}variable yield_strength index 1e8\n")
@@ -455,7 +456,7 @@ def test_a_rigid_body_rebounds_by_the_law(tmp_path):
 
 
 def test_grains_can_be_poured(tmp_path):
-    """One and two ranks give the same result until collisions amplify round-off."""
+    """The results on one and on two ranks differ by less than 1e-8, the amplified round-off."""
     tables = [
         thermo(
             run(

@@ -29,7 +29,10 @@ def bed(folder: Path, ranks: int = 1, **variables: object) -> pd.DataFrame:
 
 
 def check_balance(table: pd.DataFrame) -> float:
-    """Check that the terms add up to 1e-3 of the energy input, as in LIGGGHTS; return the input."""
+    """Check that the sum of the energy terms is constant, and return the energy input [J].
+
+    The tolerance is 1e-3 of the energy input, as in LIGGGHTS.
+    """
     energies = table[TERMS[:6]].sum(axis=1)
     total = energies - table["wallwork"] - table["inserted"]
     assert_allclose(total, total[0], atol=1e-3 * energies.max(), rtol=0)
@@ -48,9 +51,9 @@ def test_the_balance_closes(ranks, newton, tmp_path):
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_the_balance_continues_after_a_restart(ranks, tmp_path):
-    """The terms agree to 1e-6 of the kinetic energy. During setup, LAMMPS computes dashpots with
-    the velocities at the end of the step. The tolerance was set after the first comparison, which
-    gave 1e-8.
+    """The terms differ from those of a run without restart by less than 1e-6 of the kinetic energy.
+    They are not identical: in the setup of a run, LAMMPS computes the dashpots with the velocities
+    at the end of the step. The tolerance was set after the first comparison, which gave 1e-8.
     """
     unbroken = bed(tmp_path, plate="no").set_index("Step")
     continued = bed(tmp_path, ranks, plate="no", **{"from": 1800}).set_index("Step")
@@ -95,7 +98,8 @@ def test_changes_by_the_deck_are_inserted_energy(tmp_path):
 @pytest.mark.parametrize("steps", [0, 3])
 def test_changes_after_a_restart_are_inserted_energy(steps, tmp_path):
     """The restart file is written before or after the first run. Then the deck changes the speed of
-    a sphere. Before the first run, the balance has not begun. The tolerance is round-off.
+    a sphere. Before the first run, the balance has not begun, so the change does not count. The
+    tolerance is round-off.
     """
     motion = f"{ENERGY}\nfix motion all nve/noforce\ntimestep 1e-6"
     log = run(

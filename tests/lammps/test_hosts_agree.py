@@ -41,8 +41,10 @@ def write_gas(file: Path) -> None:
 
 @pytest.mark.parametrize("law", ["thornton", "universal"])
 def test_a_cooling_gas_has_the_same_energy(law, tmp_path):
-    """The energies agree to a relative 1e-8. The hosts add forces in another order, and collisions
-    amplify this round-off."""
+    """The relative differences of the energies are below 1e-8.
+
+    The hosts add forces in different orders, and collisions amplify this round-off.
+    """
     write_gas(tmp_path / "gas.data")
     (tmp_path / "gas.in").write_text(
         f"""

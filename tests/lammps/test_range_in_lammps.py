@@ -81,7 +81,7 @@ def test_the_forecast_names_the_range(tmp_path):
 
 @pytest.mark.parametrize("group", ["resting", "all"])
 def test_the_forecast_of_a_wall_is_for_its_group(group, tmp_path):
-    """A wall line warns of the impacts of its own particles, not of those of other wall lines."""
+    """A wall warns only of impacts of its own group of particles, not of those of other walls."""
     spheres = numbered([sphere(2 * RADIUS, 0, 0, 0), sphere(2 * RADIUS, 4 * RADIUS, 0, -SPEED)])
     log = run(
         tmp_path,
@@ -100,7 +100,7 @@ def test_the_forecast_of_a_wall_is_for_its_group(group, tmp_path):
 
 
 def test_the_forecast_omits_types_of_other_pair_styles(tmp_path):
-    """In `pair_style hybrid`, impacts of types without a contact law need no time step."""
+    """In `pair_style hybrid`, impacts of types without a contact law cause no warning."""
     spheres = numbered([sphere(x, 0, 0, 0) for x in (-2 * RADIUS, 2 * RADIUS)])
     log = run(
         tmp_path,

@@ -57,8 +57,8 @@ def test_restitution_follows_the_law(law, declared_jumps, tmp_path):
     expected = {"pair": pair.restitution(2 * SPEEDS), "plane": wall.restitution(SPEEDS)}
     expected["region"] = expected["plane"]
     ends = collide(law, wall.timestep(SPEEDS).min() / FINENESS.get(law, 200), tmp_path)
-    # Restitution has this error at these time steps. A jump of the force within a step causes an
-    # error of first order.
+    # The tolerance is the error of the restitution at these time steps. A jump of the force within
+    # a step causes an error of first order.
     tolerance = 5e-6 if declared_jumps.get(law) or law in JUMP_AT_ENDS else 1e-7
     for geometry, restitution in expected.items():
         measured = ends[geometry]["vx"] / SPEEDS
