@@ -28,7 +28,7 @@ SEGMENTS = 36
 
 
 def rings(orifice: float, barrel: float, height: float, slope: float) -> np.ndarray:
-    """Return diameters and heights (n, 2) of the circles that the triangles of the surface join.
+    """Return diameters and heights (n, 2) of the circles between which the triangles lie.
 
     LIGGGHTS joins neighboring triangles to one smooth surface if their angle is below a limit. This
     limit must be smaller than all corner angles of the triangles. To avoid slender triangles, the
@@ -77,7 +77,8 @@ def check(orifice: str) -> float:
         size = np.nan
     if not 1.4 < size <= widest:
         raise SystemExit(
-            f"orifice is {orifice}; it must be a number above 1.4 and at most {widest:g}"
+            f"orifice is {orifice}; it must be a number above 1.4 and at most {widest:g}, in "
+            "grain diameters"
         )
     return size
 

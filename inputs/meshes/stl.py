@@ -13,7 +13,8 @@ def write(path: Path, triangles: np.ndarray, digits: int = 9) -> None:
 
     Args:
         path: File to write.
-        triangles: Corners, shape (n, 3, 3); seen against the normal they turn counterclockwise.
+        triangles: Corners, shape (n, 3, 3), in counterclockwise order for a viewer toward whom the
+            normal points.
         digits: Decimal places of the corners.
     """
     lines = [f"solid {path.stem}"]
