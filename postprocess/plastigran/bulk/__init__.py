@@ -15,7 +15,7 @@ Args:
     ranks: Number of MPI ranks.
     restart: Folder of an earlier run to continue.
     host: Program that runs the deck: liggghts (default) or lammps.
-    settings: Settings of the deck to override.
+    settings: New values of settings of the deck, by name.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Checks of the results of bulk runs, used by several decks.
 
-A `series` is a table with one row per line of the log. Its columns include the energy terms [J]
-that inputs/energy_ledger.in defines.
+A `series` is a table with one row per `thermo` line of the log. Its columns include the energy
+terms [J] that inputs/energy_ledger.in defines.
 """
 
 from __future__ import annotations
@@ -14,8 +14,8 @@ import pandas as pd
 #: (docs/timestep.md).
 RESTITUTION_ERROR = 1e-3
 #: Largest allowed balance error as a fraction of the energy input, at the recommended time step.
-#: The rebound energy is proportional to the square of the restitution coefficient, hence the factor
-#: 2.
+#: The rebound energy is proportional to the square of the restitution coefficient, so its relative
+#: error is twice as large.
 LEDGER = 2 * RESTITUTION_ERROR
 
 #: Largest allowed overlap, as a multiple of the largest overlap for which the law is valid.
@@ -25,20 +25,20 @@ LEDGER_CHECKS = (
     "balance error, divided by the energy input",
     "decrease of plastic work, divided by the energy input",
 )
-#: Reference time between log lines, in units of sqrt(d/g). The decks state the allowed errors of
-#: trapezoidal integration for this time. A grain of diameter d falls by d/2 from rest in the time
-#: sqrt(d/g).
+#: Reference time between log lines, in units of sqrt(d/g). In the time sqrt(d/g), a grain of
+#: diameter d falls by d/2 from rest (g: gravitational acceleration). Decks that integrate log data
+#: with the trapezoidal rule give their error limits for this reference time.
 FINE_ROWS = 0.25
 
 #: Energy terms of inputs/energy_ledger.in whose sum equals the energy input. The energy input
 #: includes the work of gravity, so the potential energy is not one of the terms.
 ENERGIES = ["kinetic", "elastic", "plastic", "friction", "viscous"]
-#: Further terms of this sum for contacts with adhesion: the surface energy, which is negative, and
-#: the energy lost when contacts form and break. They are used only if the log has both columns.
+#: Energy terms of contacts with adhesion: the surface energy, which is negative, and the energy
+#: lost when contacts form and break. If the log has both columns, they belong to the energy input.
 ADHESION = ["surfaces", "adhesion"]
-#: Energy terms of dissipation.
+#: Energy terms that are dissipation.
 DISSIPATED = ["plastic", "friction", "viscous"]
-#: Terms that accumulate from the start of a run.
+#: Energy terms that accumulate from the start of a run.
 FLOWS = [*DISSIPATED, "wallwork", "inserted", "drift"]
 
 
@@ -70,7 +70,7 @@ def range_checks(excess: dict[str, float]) -> list[Check]:
     Args:
         excess: Largest overlap / largest valid overlap [-], by name of the law.
     """
-    reason = "the law is not valid there. Check the units, Young's modulus and the time step"
+    reason = "at this overlap the law is not valid. Check units, Young's modulus and time step"
     name = "largest overlap, divided by the largest valid overlap of"
     return [
         Check(f"{name} {law}", ratio, EXCESS, reason)
@@ -82,18 +82,22 @@ def range_checks(excess: dict[str, float]) -> list[Check]:
 def energy_input(series: pd.DataFrame) -> float:
     """Return the energy input by gravity, walls, inserted grains and initial motion [J].
 
-    It is the sum of kinetic, stored and dissipated energy in the row where this sum is largest.
+    The input is the largest value that the sum of kinetic, stored and dissipated energy has in any
+    row.
     """
     return float(series[energy_terms(series)].sum(axis="columns").max())
 
 
 def energy_terms(series: pd.DataFrame) -> list[str]:
-    """Return the names of the columns of a series whose sum is the energy input."""
+    """Return the names of the energy columns whose sum is the energy input of a run."""
     return ENERGIES + (ADHESION if set(ADHESION) <= set(series) else [])
 
 
 def last_simulation(series: pd.DataFrame) -> pd.DataFrame:
-    """Return the rows after the last `clear` command; all rows without a column `simulation`."""
+    """Return the log rows after the last `clear` command of a deck.
+
+    If the series has no column `simulation`, the deck has no `clear`. Then return all rows.
+    """
     if "simulation" not in series:
         return series
     return series[series["simulation"] == series["simulation"].iloc[-1]]
@@ -135,10 +139,10 @@ def ledger_checks(series: pd.DataFrame, limit: float = LEDGER) -> list[Check]:
 
 
 def trapezia_factor(time: pd.Series, diameter: float, gravitational_acceleration: float) -> float:
-    """Return error of trapezoidal integration / its error at the row spacing `FINE_ROWS` [-].
+    """Return the factor by which trapezoidal integration is less accurate than at `FINE_ROWS` [-].
 
-    The error is proportional to the square of the time between log lines. The result is 1 for
-    shorter times than `FINE_ROWS`.
+    The error is proportional to the square of the time between log lines. The factor is 1 if this
+    time is shorter than `FINE_ROWS` sqrt(d/g), where d is the grain diameter.
 
     Args:
         time: Times of the log lines, evenly spaced [s].

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Compute the plastic work of contacts between grains from their contact histories.
 
-With `contact_history=1`, the frames of a deck contain the first value of each contact history. If
-the yield strength does not depend on the impact rate, this value and the overlap determine the
-plastic work.
+A frame is the output of all grains and contacts at one step. With the setting `contact_history=1`,
+the frames of a deck contain the first value of each contact history. If the yield strength does not
+depend on the strain rate, this value and the overlap determine the plastic work.
 """
 
 from __future__ import annotations
@@ -42,12 +42,12 @@ def plastic_works(
         grains: Law and material of the grains.
         radius_eff: Effective radius R* of each contact (N,), m.
         overlap: Overlaps (N,), m.
-        history: First value of each contact history (N,). `state_names` of the law names the value.
+        history: First value of each contact history (N,). Its name and unit depend on the law: see
+            `state_names` of the law.
 
     Returns:
         Plastic work of each contact since it formed (N,), J. NaN if the yield strength depends on
-        the impact rate, because one value of the history does not determine the work of such a
-        contact.
+        the strain rate, because then the first value of the history does not determine the work.
     """
     law = grains.contact_law()
     radius_eff, overlap, history = (np.asarray(a, float) for a in (radius_eff, overlap, history))

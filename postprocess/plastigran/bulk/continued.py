@@ -22,7 +22,7 @@ def finish_bulk(
 
     Args:
         deck: Name of a deck of `inputs/bulk`.
-        values: Deck settings to override.
+        values: New values of settings of the deck, by name.
         folder: Folder of the parts.
         ranks: Number of MPI ranks.
         show: Whether to show a progress bar.

@@ -23,7 +23,7 @@ from plastigran.materials import BODY_CONSTANTS, Material, body_constant
 from plastigran.usable_laws import laws_for
 
 #: Largest allowed balance error as a fraction of the energy input, for the decks of the bulk
-#: benchmark (docs/decks/benchmark.md). The tables of the benchmark state energies to 0.1 %.
+#: benchmark (docs/decks/benchmark.md). Reason: the benchmark's tables state energies to 0.1 %.
 BENCHMARK_BALANCE = 1e-3
 
 
@@ -32,7 +32,7 @@ class Analysis:
     """Result of the analysis of a run.
 
     Attributes:
-        series: Table with one row per line of the log: measured and predicted quantities.
+        series: Table of measured and predicted quantities, with one row per line of the log.
         checks: Results of the checks of the deck.
         figures: Figures by name.
         notes: Sentences that say which quantities could not be measured, and why.
@@ -53,7 +53,7 @@ class Analysis:
 
 @attrs.frozen
 class Brief:
-    """Short run of a deck for the conformance tests.
+    """Short run of a deck for the tests that every deck must pass (tests/conformance/deck).
 
     Attributes:
         settings: Settings that make the run short.
@@ -80,7 +80,7 @@ class BulkDeck:
         ValueError: A setting is out of range; the message names it, its value and what is allowed.
     """
 
-    #: Short runs of the deck for the conformance tests, by label.
+    #: Short runs of the deck for tests/conformance/deck, by label.
     briefs: ClassVar[Mapping[str, Brief]] = {}
     #: Largest allowed balance error as a fraction of the energy input. If None, `ledger_limit`
     #: computes the limit from the time step.
@@ -181,7 +181,7 @@ class BulkDeck:
         """Return the setting `options` as a dictionary.
 
         Raises:
-            ValueError: The setting does not consist of pairs.
+            ValueError: The setting does not consist of pairs of words.
         """
         words = self.options.split()
         if len(words) % 2:
@@ -214,8 +214,8 @@ class BulkDeck:
 
         The class attribute `balance_limit` sets the limit. If it is None, the limit is `LEDGER`
         (dt/dt_r)^2, because the integrator is of second order, and at most `LEDGER`. dt is the time
-        step and dt_r the recommended time step. dt_r is computed for two grains that collide at the
-        rms speed which all grains would have if the energy input were kinetic energy.
+        step and dt_r the recommended time step for the impact of two grains. Their impact speed is
+        the rms speed that the grains would have if the energy input were kinetic energy.
 
         Args:
             series: Terms of inputs/energy_ledger.in [J], and the column atoms.
@@ -293,6 +293,6 @@ class FlowDeck(GranularDeck):
             unit = declarations(type(self))["settling"].unit
             raise ValueError(
                 f"settling is {self.settling:g}; it must be at most {latest:g} [{unit}], so "
-                f"that {self.steady_rows} of {self.rows} rows remain"
+                f"that at least {self.steady_rows} of the {self.rows} log lines follow"
             )
         GranularDeck.check(self)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Folder of a bulk run: the record run.json, the other files, and numbers that the deck printed.
+"""Files in the folder of a bulk run, and numbers that the deck printed to the log.
 
 The folder contains `run.json` (deck, settings, ranks, versions), `deck/` (a copy of the deck and
 its includes), the logs, and numbered checkpoints. After the run, it also contains `series.csv`,
@@ -27,14 +27,15 @@ from plastigran.engine.log import LOGS, find_excess, log_path
 from plastigran.engine.process import EngineError, engines
 
 RECORD = "run.json"
-#: File with the rows of the earlier run up to the checkpoint from which this run continues.
+#: File in the folder of a continued run: log rows of the earlier run, up to the checkpoint from
+#: which the run continues.
 BEFORE = "before.csv"
 SERIES = "series.csv"
 CHECKS = "checks.csv"
 #: File of grain positions; decks append frames to it.
 DUMP = "grains.dump"
-#: File of collision spectra. LIGGGHTS appends tables. A run that continues from a checkpoint
-#: removes the tables that were written after the checkpoint.
+#: File of collision spectra, to which LIGGGHTS appends tables. A run that continues from a
+#: checkpoint removes the tables that were written after the checkpoint.
 SPECTRA = "collision_spectra.csv"
 #: Names and patterns of files that are removed, in addition to checkpoints, before a run is
 #: overwritten.
@@ -145,8 +146,8 @@ def prepare_folder(folder: Path, force: bool) -> None:
 
 def remove_earlier_run(folder: Path) -> None:
     """Remove the files of an earlier run from its folder. Other files stay."""
-    # Remove the checkpoints first. If the new run is interrupted, no checkpoint of the earlier run
-    # may be newer than those of the new run.
+    # Remove the checkpoints first. A checkpoint of the earlier run that survives an interruption
+    # could later be taken for the newest checkpoint of the new run.
     for file in checkpoints(folder):
         file.unlink()
     for pattern in RUN_FILES:
@@ -174,9 +175,10 @@ def all_derived(folder: str | Path) -> dict[str, float]:
 
 
 def all_excess(folder: str | Path) -> dict[str, float]:
-    """Return largest overlap / largest valid overlap [-] of the laws for which it exceeds 1.
+    """Return largest overlap / largest valid overlap [-], by name of the law.
 
-    The result covers a run and the runs that it continues.
+    The result contains only laws for which this ratio exceeds 1, in the run or in a run that it
+    continues.
 
     Raises:
         EngineError: The folder contains no run.
@@ -202,9 +204,14 @@ def read_derived(folder: str | Path, name: str) -> float:
 
 
 def carry_files(earlier: Path, folder: Path, last: int) -> None:
-    """Copy collision spectra, and the complete frames of grains before step `last`, to a new run.
+    """Copy collision spectra and grain positions from an earlier run to the run that continues it.
 
-    LIGGGHTS appends the data of a continued run to these files.
+    LIGGGHTS then appends the data of the continued run to these files.
+
+    Args:
+        earlier: Folder of the earlier run.
+        folder: Folder of the continued run.
+        last: Step of the checkpoint. Only complete frames before this step are copied.
     """
     if (earlier / SPECTRA).exists():
         shutil.copy(earlier / SPECTRA, folder)

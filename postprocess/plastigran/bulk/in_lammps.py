@@ -8,7 +8,7 @@ from pathlib import Path
 
 from plastigran.engine.deck import index_variables
 
-#: Values that a setting may have in LAMMPS.
+#: Values that LAMMPS supports, by name of the setting. For other settings, it supports all values.
 SUPPORTED = {
     "tangential": ("off", "history", "partial_slip", "incremental"),
     "rolling_friction": ("off",),

@@ -45,7 +45,7 @@ class BulkRun:
 
     @property
     def series(self) -> pd.DataFrame:
-        """Table with one row per line of the log: measured and predicted quantities in SI units."""
+        """Table of measured and predicted quantities in SI units, one row per line of the log."""
         return self.analysis.series
 
     @property
@@ -98,7 +98,7 @@ class BulkRun:
 
 
 def open_run(folder: str | Path) -> BulkRun:
-    """Read a finished or unfinished run of a deck from its folder, as `run_bulk` returns it.
+    """Read a run of a deck, finished or not, from the folder that `run_bulk` wrote.
 
     Args:
         folder: Folder of the results. The folder may have been moved since the run.
@@ -123,6 +123,6 @@ def open_run(folder: str | Path) -> BulkRun:
     except (ArithmeticError, LookupError, OSError, ValueError) as error:
         raise DumpError(
             f"{log_path(folder)} contains no complete run of {name} "
-            f"({type(error).__name__}: {error})"
+            f"({type(error).__name__}: {error}). Repeat the run"
         ) from error
     return BulkRun(name, folder, deck, attrs.evolve(analysis, checks=checks))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Decks of users, which have no deck class: paths, restart and checks."""
+"""Input scripts of users: their paths, restart and checks. These decks have no `BulkDeck` class."""
 
 from __future__ import annotations
 
@@ -51,8 +51,8 @@ SEVERAL_PARTS = (
     "`clear` commands, and drawn for the last simulation"
 )
 NO_CONTACTS = (
-    "the energy balance was not checked, because no line of the log has stored or dissipated "
-    "energy of contacts. Check whether grains touched"
+    "the energy balance was not checked, because the stored and dissipated energies of contacts "
+    "are zero in every line of the log. Check whether grains touched"
 )
 
 _RESET_TIMESTEP = re.compile(r"^reset_timestep\s", re.MULTILINE)
@@ -60,7 +60,10 @@ _MODEL = re.compile(r"\bgran\s+(?:&\s*)?model\s+(\S+)")
 
 
 def planned_steps(source: DeckSource) -> int:
-    """Return the total steps of all `run` commands; 0 if the script does not determine them."""
+    """Return the total number of steps of all `run` commands of a user's deck.
+
+    Return 0 if the number cannot be determined from the script.
+    """
     for file in _scripts(source)[1:]:
         names = {source.resolve(command).partition(" ")[0] for command in commands(file)}
         if names & {"run", *CONTROL}:
@@ -83,7 +86,7 @@ def _scripts(source: DeckSource) -> list[Path]:
 
 
 def own_places(source: DeckSource, folder: Path) -> dict[str, object]:
-    """Return the values of the variables `inputs` and `output`; None for a missing variable.
+    """Return the values of the variables `inputs` and `output`; None if the deck has none.
 
     Raises:
         ValueError: The deck reads ${output}, and its value has characters that LIGGGHTS misreads.
@@ -175,7 +178,7 @@ def analyse_own(series: pd.DataFrame) -> Analysis:
 
 
 def _worst_checks(series: pd.DataFrame) -> list[Check]:
-    """Return the worst result of each energy check over the parts between `clear` commands."""
+    """Return, for each energy check, the worst result of all simulations between `clear`s."""
     parts = [series]
     if "simulation" in series:
         parts = [part for _, part in series.groupby("simulation") if energy_input(part) > 0]

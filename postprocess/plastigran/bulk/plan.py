@@ -25,8 +25,7 @@ from plastigran.engine.deck import (
 from plastigran.engine.process import typed_command
 from plastigran.engine.versions import HOSTS
 
-#: Settings for the kind of start and for paths, which may differ between a run and its
-#: continuation.
+#: Settings for the start (new or from a checkpoint) and for paths. A continued run may change them.
 PLACES = frozenset({"start", "checkpoint", "inputs", "output", "materials"})
 
 
@@ -39,7 +38,7 @@ class Plan:
         deck_type: Class of the deck; None for a user's input script.
         folder: Folder of the results.
         ranks: Number of MPI ranks.
-        values: Settings that override settings of the deck.
+        values: New values of settings of the deck, by name.
         places: Settings whose values are paths of files or folders.
         earlier: Folder of the run to continue, or None.
         checkpoint: Restart file from which the run continues, or None.
@@ -69,7 +68,7 @@ class Plan:
         return self.deck_type.write_inputs is not BulkDeck.write_inputs
 
     def command_line(self) -> str:
-        """Command line that runs the original deck; `run_bulk` runs a copy of it."""
+        """Return the command line that runs the original deck; `run_bulk` runs a copy of it."""
         settings = self.values if self.deck_type else self.values | self.places
         return typed_command(
             self.source.path,
@@ -89,7 +88,10 @@ def plan_bulk(
     restart: str | Path | None = None,
     host: str | None = None,
 ) -> Plan:
-    """Check the arguments of `run_bulk` and return the plan of the run; raises the same errors."""
+    """Check the arguments of `run_bulk` and return the plan of the run.
+
+    The arguments and errors are those of `run_bulk`.
+    """
     if not (isinstance(ranks, int) and ranks >= 1):
         raise ValueError(f"ranks is {ranks!r}; it must be 1 or more")
     if "output" in values:

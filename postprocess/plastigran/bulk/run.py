@@ -53,8 +53,8 @@ def run_bulk(
 
     Args:
         deck: Name of a deck of `inputs/bulk`, or path of an input script.
-        values: Deck settings to override. With `restart`, they override the settings of the earlier
-            run.
+        values: New values of settings of the deck, by name. With `restart`, they replace settings
+            of the earlier run.
         folder: Folder of the results.
         ranks: Number of MPI ranks.
         restart: Folder of the earlier run to continue, or None.
@@ -64,8 +64,8 @@ def run_bulk(
             run, or liggghts for a new run.
 
     Returns:
-        Series, checks and figures of the run. They are also written to `folder`, even if checks
-        fail.
+        The run: table of its log (series), checks and figures. They are also written to `folder`,
+        even if checks fail.
 
     Raises:
         EngineError: The deck or a complete checkpoint does not exist, or the host stopped with an
@@ -77,7 +77,8 @@ def run_bulk(
     with lock_folder(plan.folder):
         prepare_folder(plan.folder, force)
         with TemporaryDirectory(prefix="plastigran_") as inputs:
-            # Initial positions may be impossible. Compute them before earlier results are removed.
+            # Compute the initial positions before removing earlier results, because the computation
+            # fails if the settings do not allow a packing.
             if plan.deck_type and plan.writes_inputs:
                 plan.deck_type.read(plan.source.settings).write_inputs(Path(inputs))
             remove_earlier_run(plan.folder)
@@ -86,7 +87,7 @@ def run_bulk(
 
 
 def _run(plan: Plan, software: dict[str, str], show: bool) -> BulkRun:
-    """Run a plan in its folder, analyse the run and write its results."""
+    """Run the host as planned, analyse the run and write the results to its folder."""
     source, folder, restart = plan.source, plan.folder, plan.earlier
     # Run a copy, because the host reads the deck while it runs, and the user may edit the original.
     script = source.copy(folder / "deck")
@@ -129,7 +130,7 @@ def _run(plan: Plan, software: dict[str, str], show: bool) -> BulkRun:
             write_record(folder, record)
             fetch_signal_file(plan.working_folder, earlier_files, folder)
             checksums.update()
-    # Write the series before the analysis, which may fail. The file marks the run as finished.
+    # Write the series before the analysis, which may fail: series.csv marks the run as finished.
     read_series(folder).to_csv(folder / SERIES, index=False)
     run = open_run(folder)
     write_results(run)

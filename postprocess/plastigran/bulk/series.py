@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Series of a bulk run: table of the log lines from step 0, also of the runs that it continues."""
+"""Series of a bulk run: the table of its log lines from step 0.
+
+The series of a continued run begins with the log lines of the earlier runs.
+"""
 
 from __future__ import annotations
 
@@ -62,7 +65,7 @@ def _read_earlier_rows(folder: Path) -> list[pd.DataFrame]:
 
 
 def _read_log(folder: Path) -> tuple[list[LoggedRun], pd.DataFrame]:
-    """Return the `run` commands of the log and the table of their lines.
+    """Return the `run` commands of the log, and the table of the log lines that they wrote.
 
     The last line of the log may be incomplete, if the run was stopped.
     """
@@ -77,7 +80,7 @@ def _read_log(folder: Path) -> tuple[list[LoggedRun], pd.DataFrame]:
 
 
 def _read_supplied_log(folder: Path) -> pd.DataFrame:
-    """Return the log lines of the last `run` command of a supplied deck, with the time [s]."""
+    """Return the log lines of the last `run` command of a deck of inputs/bulk, with time [s]."""
     _, table = _read_log(folder)
     series = table[table["run"] == table["run"].max()].drop(columns="run").reset_index(drop=True)
     series.insert(1, "time", series["step"] * series.pop("timestep"))
@@ -91,7 +94,7 @@ def _read_own_log(folder: Path) -> pd.DataFrame:
     time, end = pd.Series(nan, series.index), None
     for number, rows in series.groupby("run"):
         time[rows.index] = _time_of_run(rows, runs[number].timestep)
-        if end is not None:  # end is None for the first run of the log
+        if end is not None:  # end is None for the first `run` command of the log
             time[rows.index] += end - time[rows.index[0]]
         end = time[rows.index[-1]]
     if time.notna().all():
@@ -102,11 +105,11 @@ def _read_own_log(folder: Path) -> pd.DataFrame:
 
 
 def _time_of_run(rows: pd.DataFrame, timestep: float) -> pd.Series:
-    """Return the time of the lines of a run [s]; NaN if unknown.
+    """Return the time of the log lines of one `run` command [s]; NaN if unknown.
 
     Args:
-        rows: Lines of the run. If a column `time` or `timestep` exists, the function uses the
-            column instead of the argument `timestep`.
+        rows: Log lines of the command. A column `time` or `timestep` takes precedence over the
+            argument `timestep`.
         timestep: Time step from the command `timestep` [s], or NaN.
     """
     if "time" in rows and rows["time"].notna().all():
@@ -115,12 +118,12 @@ def _time_of_run(rows: pd.DataFrame, timestep: float) -> pd.Series:
         timestep = rows["timestep"].iloc[0] if rows["timestep"].nunique() == 1 else nan
     first = rows["step"].iloc[0]
     steps = rows["step"] - first
-    # Rows at the first step have the start time, even if the time step is NaN.
+    # Log lines at the first step have the start time, even if the time step is NaN.
     return (first * timestep if first else 0.0) + (steps * timestep).where(steps > 0, 0.0)
 
 
 def _continue_simulations(before: pd.DataFrame, after: pd.DataFrame) -> list[pd.DataFrame]:
-    """Renumber column `simulation` of a continued log, so that it follows the earlier log."""
+    """Renumber the column `simulation` of a continued log, so that it continues the earlier one."""
     before = before.assign(simulation=before.get("simulation", 0))
     last = before["simulation"].iloc[-1]
     return [before, after.assign(simulation=after["simulation"] + last)]

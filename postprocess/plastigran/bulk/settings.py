@@ -11,7 +11,7 @@ from plastigran.declared import Declaration
 
 
 def text(meaning: str) -> Any:
-    """Declare a field whose setting is text."""
+    """Declare a field for a setting that is text; `meaning` describes the setting."""
     return attrs.field(
         converter=str, metadata={"declaration": Declaration(meaning, value_type=str)}
     )
@@ -20,7 +20,8 @@ def text(meaning: str) -> Any:
 def continuable(field: Any) -> Any:
     """Mark a declared field as a setting that a continued run may change.
 
-    Such a setting may influence neither the steps before the checkpoint nor the restored grains.
+    Such a setting must not affect the steps before the checkpoint or the grains that the checkpoint
+    restores.
     """
     field.metadata = {**field.metadata, "continuable": True}
     return field

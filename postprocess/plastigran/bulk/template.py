@@ -55,7 +55,10 @@ def write_deck(
     material, radius = read_material(material), read_number("radius", radius, NEW_DECK_RADIUS)
     for name in (folder.name, material.name):
         if misread(name):
-            raise ValueError(f"{name!r} contains white space, % or *, which LIGGGHTS misreads")
+            raise ValueError(
+                f"{name!r} contains white space, % or *, which LIGGGHTS misreads. Choose another "
+                "name"
+            )
         if name in USED_NAMES:
             raise ValueError(
                 f"{name!r} is the name of another file in the folder of the deck. "

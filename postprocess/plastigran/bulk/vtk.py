@@ -22,11 +22,11 @@ from plastigran.plot.vtk_series import (
 
 
 def write_vtk(run: BulkRun, folder: str | Path) -> list[Path]:
-    """Write the frames of a run as VTK files, and one list of files and times for each kind.
+    """Write the frames of a run (its output for pictures) as VTK files.
 
-    The files are `grains_STEP.vtp`, `contacts_STEP.vtp` and `mesh_STEP.vtp`; the lists are
-    `grains.pvd`, `contacts.pvd` and `mesh.pvd`. Contacts have a column `plastic_work` if the run
-    had `contact_history=1`.
+    The files are `grains_STEP.vtp`, `contacts_STEP.vtp` and `mesh_STEP.vtp`. The lists
+    `grains.pvd`, `contacts.pvd` and `mesh.pvd` name these files with their times. Contacts have a
+    column `plastic_work` if the run had `contact_history=1`.
 
     Args:
         run: Run with frames.
@@ -63,7 +63,7 @@ def write_vtk(run: BulkRun, folder: str | Path) -> list[Path]:
 
 
 def contact_columns(run: BulkRun, frame: Frame) -> dict[str, np.ndarray]:
-    """Return further columns for the N contacts of a frame: `plastic_work` (N,) [J], if known.
+    """Return additional data of the N contacts of a frame: `plastic_work` (N,) [J], if known.
 
     Raises:
         DumpError: The file of contact histories is damaged.
@@ -89,8 +89,8 @@ def contact_columns(run: BulkRun, frame: Frame) -> dict[str, np.ndarray]:
 def time_of(run: BulkRun, step: int) -> float:
     """Return the time of the frame at a step [s], or the step number if the log has no time.
 
-    If a deck restarts its step count, several log lines have the same step. The latest line gives
-    the time, because LIGGGHTS overwrites the frame of an earlier line.
+    If a deck resets its step count, several log lines have the same step. The last of them gives
+    the time, because LIGGGHTS overwrites an earlier frame file of the same step.
     """
     if "time" not in run.series:
         return float(step)

@@ -19,13 +19,13 @@ from plastigran.bulk.decks.bed_impact.measurement import (
 )
 from plastigran.declared import number, require, whole, word
 
-#: Largest allowed relative error of restitution, rebound speed and dissipated energy. The value is
-#: the error of the time integration with an adequate time step.
+#: Largest allowed relative error of restitution, rebound speed and dissipated energy. The time
+#: integration has at most this error if the time step is adequate.
 INTEGRATOR = 1e-3
-#: Largest allowed relative difference between the plastic work of the grains and of the energy
-#: balance. Only the plastic work in the last step of pouring may differ.
+#: Largest allowed relative difference between the plastic work of the energy balance and its sum
+#: over the grains. The two may differ only by the plastic work of the last step of pouring.
 STEP = 1e-4
-#: Settings that must have these values for the target `plate`. Each shot then hits the plate once,
+#: Required values of settings for the target `plate`. With them, each shot hits the plate once,
 #: without gravity and without contact with other shots.
 PLATE = {"shot_layers": 1, "gravitational_acceleration": 0, "bed_layers": 0, "filling": 0}
 
@@ -65,7 +65,8 @@ class BedImpact(GranularDeck):
         require(self, "fastest", lower=self.slowest)
         if self.ledger != "on":
             raise ValueError(
-                "ledger is off, but the plastic work of the grains needs it. Set ledger=on"
+                "ledger is off, but this deck measures plastic work with the energy balance. Set "
+                "ledger=on"
             )
         if self.target == "plate":
             self._check_plate()
@@ -103,7 +104,7 @@ class BedImpact(GranularDeck):
         return shot.assign(rebound_predicted=speed * impact.coefficient_of_restitution)
 
     def analyse(self, series: pd.DataFrame) -> Analysis:
-        """Analyse the impact part of the run; arguments as for `BulkDeck.analyse`."""
+        """Analyse the run from the start of the shots; arguments as for `BulkDeck.analyse`."""
         table = since_first(series)  # count time and energies from the start of the shots
         grains = read_grains_dump(self.output / "grains.dump")
         shot = self.shots(grains)
@@ -115,7 +116,7 @@ class BedImpact(GranularDeck):
                 "difference between the plastic work of the grains and of the energy balance",
                 abs(sum_over_grains - total) / max(total, 1e-300),
                 STEP,
-                "both sum the same work; they may differ by the plastic work of one step of "
+                "both are sums of the same work, except for the plastic work of one step of "
                 "pouring",
             ),
         ]
@@ -131,7 +132,7 @@ class BedImpact(GranularDeck):
 
 
 def plate_checks(shot: pd.DataFrame, mass: float, dissipated: pd.Series) -> list[Check]:
-    """Compare every shot, and the sums over all shots, with the central impact of the law.
+    """Compare the shots with central impacts of the law: rebound speeds and dissipated energy.
 
     Args:
         shot: Columns of `measure_shots`, and `rebound_predicted` [m/s].

@@ -46,7 +46,7 @@ def measure_shots(
         One row per shot: `impact_speed` [m/s], `rebound_speed` [m/s] (0 for a shot that has not
         rebounded), and `plastic_work` since the start of the shots [J].
     """
-    surface = shot["z_before"].min() - radius  # height of the center of a touching shot
+    surface = shot["z_before"].min() - radius  # height of a shot's center when it touches
     fall = 2 * gravitational_acceleration * (shot["z_before"] - surface)
     rise = 2 * gravitational_acceleration * (shot["z"] - surface)
     speed = np.sqrt(shot["vz"] ** 2 + rise.clip(lower=0))

@@ -18,7 +18,8 @@ from plastigran.declared import number, whole
 from plastigran.engine.dumps import read_dump
 from plastigran.physics.bagnold import Profile, fit_profile
 
-#: Largest allowed relative error of the work of gravity, for log lines with the spacing FINE_ROWS.
+#: Largest allowed relative error of the work of gravity, if the time between log lines is at most
+#: FINE_ROWS (plastigran.bulk.checks).
 WEIGHT = 2e-3
 #: Largest allowed relative difference between the dissipated power and the power of gravity. The
 #: flow stores the difference, mainly as kinetic energy.
@@ -54,7 +55,7 @@ class Chute(FlowDeck):
     )
 
     def analyse(self, series: pd.DataFrame) -> Analysis:
-        """Analyse profile and power of the flow; arguments as for `BulkDeck.analyse`."""
+        """Analyse velocity profile and power of the flow; arguments as for `BulkDeck.analyse`."""
         series = self.with_weight(series)
         steady = series[series["time"] >= self.settling]
         grains = read_dump(self.output / "grains.dump")
@@ -103,13 +104,13 @@ class Chute(FlowDeck):
                 "work of gravity compared with the work on the center of mass, relative",
                 (work + series["gravity_predicted"]).abs().max() / work.abs().max(),
                 WEIGHT * trapezia,
-                "m g (v sin(angle) t - z cos(angle)), integrated over lines of the log",
+                "error of integrating the mean velocity over the lines of the log",
             ),
             Check(
                 "difference between power of the weight and dissipation, relative",
                 abs(power / steady["weight_power"].mean() - 1),
                 STEADY,
-                "in steady flow, m g v sin(angle) is dissipated by friction and yielding",
+                "in steady flow, friction and yielding dissipate the power of gravity",
             ),
         ]
 

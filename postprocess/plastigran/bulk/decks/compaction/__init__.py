@@ -21,8 +21,8 @@ from plastigran.plot.style import title
 HUNDRED_ROWS = 2e-3
 #: Largest ratio of kinetic to elastic energy at which a stroke counts as quasi-static.
 SLOW = 0.02
-#: Pressure / peak pressure below which the punch touches at most single grains that protrude from
-#: the bed.
+#: Pressure / peak pressure below which the punch counts as not touching the bed. It may still touch
+#: single grains that protrude from the bed.
 TOUCH = 0.01
 #: Pressure / peak pressure above which the bed counts as loaded.
 LOADED = 0.2
@@ -47,8 +47,8 @@ class Compaction(GranularDeck):
 
     die_radius: float = number("radius of the die and the punch", "m", 0)
     layers: int = whole("layers of poured grains, on a cubic lattice", 3)
-    # The lower bound is the density of spheres on a cubic lattice. At the upper bound, flattened
-    # grains would fill the die without pores.
+    # The lower bound is the relative density of spheres on a simple cubic lattice. At the upper
+    # bound, flattened grains would fill the die without pores.
     relative_density: float = number(
         "relative density below the punch at its lowest point", "-", 0.5236, 1
     )
@@ -68,7 +68,8 @@ class Compaction(GranularDeck):
         peak = table["pressure"].max()
         if not peak > 0:
             raise ValueError(
-                f"the highest pressure is {peak:g} Pa, so the punch does not touch the grains"
+                f"the highest pressure is {peak:g} Pa, so the punch does not touch the grains. "
+                "Raise relative_density"
             )
         checks = [
             count_check(table, self.derived("grains")),

@@ -24,8 +24,8 @@ from plastigran.plot.spectra import spectra_figure
 #: [degrees].
 HOLLOW = degrees(atan(8**-0.5))
 #: Largest allowed relative difference between the work of the wall and the work predicted from the
-#: torque of gravity, for log lines with the spacing FINE_ROWS. The two works differ because
-#: friction acts on a grain half an overlap beyond the wall surface.
+#: torque of gravity, if the time between log lines is at most FINE_ROWS (plastigran.bulk.checks).
+#: The two works differ because friction acts on a grain half an overlap beyond the wall surface.
 LEVER_ARM = 2e-3
 #: Largest allowed relative difference between the work of the wall and the dissipated energy. The
 #: oscillating bed stores the difference, mainly as potential energy.
@@ -129,14 +129,14 @@ class Drum(FlowDeck):
                 "angle of repose",
                 angle,
                 HOLLOW + degrees(atan(self.coefficient_of_friction)),
-                "beyond this angle, grains slide out of the hollows between three others",
+                "beyond this angle, grains slide out of the hollows between three other grains",
             ),
         ]
 
     def power_checks(self, series: pd.DataFrame, steady: pd.DataFrame) -> list[Check]:
-        """Compare the work of the wall with the work of the weight's torque and with dissipation.
+        """Compare the work of the wall with the dissipation and with the torque of gravity.
 
-        The comparison with the weight's torque is omitted for decks with rolling friction. LIGGGHTS
+        The comparison with the torque is omitted for decks with rolling friction, because LIGGGHTS
         computes rolling friction as if the wall did not rotate. Rolling friction then acts on the
         grains, but is missing in the work of the wall.
 
@@ -165,8 +165,8 @@ class Drum(FlowDeck):
                     "relative difference between the wall work and the work of the weight's torque",
                     difference / series["wallwork"].abs().max(),
                     LEVER_ARM * trapezia,
-                    "m g x omega and the change of angular momentum, integrated over lines of the "
-                    "log",
+                    "error of integrating the torque of gravity over the lines of the log, plus "
+                    "the error of the lever arm of friction",
                 )
             )
         return checks

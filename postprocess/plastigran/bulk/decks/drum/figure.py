@@ -75,7 +75,7 @@ def _draw_powers(axes, series) -> None:
     axes.plot(turns[::every], lever[::every], "o", label="torque of the weight", **points)
     axes.plot(turns, total, color=COLOURS[1], lw=1, label="dissipated in the bed")
     axes.plot(turns, plastic, color=COLOURS[1], lw=1, ls=":", label="dissipated by yielding")
-    # Without energy balance, the work of the wall is unknown: let matplotlib choose the limit.
+    # Without energy balance, the work of the wall is unknown. Then matplotlib chooses the limit.
     top = 2.2 * wall.max() or None
     axes.set(ylim=(0, top), ylabel="power (mW)", xlabel="revolutions")
     axes.legend(loc="upper right", ncols=2, fontsize="small")

@@ -19,14 +19,14 @@ from plastigran.physics.beverloo import BLOCKS, STEADY_SHARE, Discharge, measure
 #: Largest allowed difference between the rates of the two halves of the steady discharge, in
 #: standard deviations.
 DEVIATIONS = 4
-#: Relative change of the rate that is allowed in addition, because the filling level falls. The
-#: mean change with 2080 grains is 4.5 %.
+#: Relative change of the discharge rate that is allowed in addition to `DEVIATIONS`, because the
+#: fill level falls. The mean change with 2080 grains is 4.5 %.
 LEVEL = 0.05
 #: Note about a run without steady discharge.
 UNMEASURED = (
     f"the discharge rate was not measured. The run ended before {STEADY_SHARE:.0%} of the "
-    f"grains were out, it has fewer than {2 * BLOCKS} rows until then, or its bed is too shallow. "
-    "Raise duration, rows or layers"
+    f"grains were out, it wrote fewer than {2 * BLOCKS} log lines until then, or its bed is too "
+    "shallow. Raise duration, rows or layers"
 )
 #: Largest number of lattice layers that fit into the hopper.
 LAYERS = 20
@@ -67,8 +67,8 @@ class Hopper(GranularDeck):
     def check_inputs(self) -> None:
         if self.orifice not in orifices():
             raise ValueError(
-                f"orifice is {self.orifice}; there are meshes for {', '.join(orifices())}. Use "
-                "inputs/meshes/make_hopper.py to make others"
+                f"orifice is {self.orifice}; there are meshes for {', '.join(orifices())}. Choose "
+                "one of these, or make a mesh with inputs/meshes/make_hopper.py"
             )
 
     def discharge(self, series: pd.DataFrame) -> Discharge | None:
@@ -99,7 +99,7 @@ class Hopper(GranularDeck):
 
 
 def discharge_checks(discharge: Discharge) -> list[Check]:
-    """Check that the rate follows Beverloo's law and is steady."""
+    """Check that the discharge rate follows Beverloo's law and is steady."""
     low, high = discharge.band
     return [
         Check(

@@ -17,14 +17,15 @@ from plastigran.bulk.decks.silo.figure import silo_figure
 from plastigran.bulk.packing import random_packing, write_data
 from plastigran.declared import number, require, whole, word
 
-#: Radius of the barrel, and height of its top above the orifice [m]; inputs/meshes/make_silo.py.
+#: Radius of the barrel, and height of its top above the orifice [m]. The meshes
+#: inputs/meshes/silo_*.stl have these sizes.
 BARREL, TOP = 0.1, 0.3
 #: Radius of the orifice [m] by name.
 ORIFICES = {"large": 0.03, "small": 0.02}
 #: Depth below the orifice at which grains are deleted [m].
 FALL = 0.05
 #: The discharge rate is measured while at least this fraction of the grains is in the silo. Later,
-#: the surface is near the orifice.
+#: the surface is too near to the orifice.
 REST = 0.1
 #: Smallest number of log lines to which the discharge rate is fitted.
 ROWS = 10
@@ -114,7 +115,7 @@ class Silo(GranularDeck):
         )
 
     def rate(self, series: pd.DataFrame) -> float | None:
-        """Return the discharge rate [grains/s], or None if the run has too few rows.
+        """Return the discharge rate [grains/s], or None if fewer than `ROWS` log lines are usable.
 
         Args:
             series: Columns time [s] and held, the number of grains in the silo.
@@ -141,7 +142,11 @@ class Silo(GranularDeck):
             ),
             *self.ledger_checks(series),
         ]
-        note = f"the discharge rate was not measured, because fewer than {ROWS} rows remain"
+        note = (
+            f"the discharge rate was not measured, because fewer than {ROWS} log lines lie between "
+            f"settling and the time when {1 - REST:.0%} of the grains are out. Raise rows or "
+            "duration"
+        )
         figures = {"silo": silo_figure(series, rate, self.settling), **self.ledger_figure(series)}
         results = {} if rate is None else {"discharge rate, grains/s": rate}
         return Analysis(series, checks, figures, [note] if rate is None else [], results)

@@ -104,7 +104,7 @@ class UniaxialTest(GranularDeck):
 
     @property
     def grains(self) -> Grains:
-        """Grains of mean radius; the constants of `ADHESIVE_LAWS` are taken from the settings."""
+        """Grains of mean radius, with the settings as constants of a law of `ADHESIVE_LAWS`."""
         grains = super().grains
         grains.options.update(self.constants.get(self.law, {}))
         return grains

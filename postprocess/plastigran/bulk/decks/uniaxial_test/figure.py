@@ -56,7 +56,7 @@ def flow_function_figure(table: pd.DataFrame) -> Figure:
         flow.set(xlabel="consolidation stress (kPa)", ylabel="unconfined yield strength (kPa)")
         flow.set(xlim=(0, 1.05 * largest), ylim=(0, None))
         top = flow.get_ylim()[1]
-        for ratio in (1, 2, 4, 10):  # Jenike's limits of flowability
+        for ratio in (1, 2, 4, 10):  # limits between Jenike's classes of flowability
             end = min(largest, ratio * top)
             flow.plot([0, end], [0, end / ratio], ":", color="0.6", lw=1)
             flow.annotate(f"1/{ratio}" if ratio > 1 else "1", (end, end / ratio), color="0.4")

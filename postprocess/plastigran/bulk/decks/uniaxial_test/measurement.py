@@ -92,7 +92,10 @@ def free_height(table: pd.DataFrame) -> float:
     """
     consolidation = table["stress"][table["stage"] == Stage.CONSOLIDATION].iloc[-1]
     if not consolidation > 0:
-        raise ValueError("the platen does not touch the grains; raise consolidation")
+        raise ValueError(
+            f"the stress at the end of consolidation is {consolidation:g} Pa, so the platen does "
+            "not touch the grains. Raise consolidation"
+        )
     unloading = table[table["stage"] == Stage.UNLOADING]
     left = unloading["height"][unloading["stress"] <= TOUCH * consolidation]
     return float(left.iloc[0]) if len(left) else np.nan
