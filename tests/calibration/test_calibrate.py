@@ -163,8 +163,11 @@ def test_material_file_reads_back(tmp_path):
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        ({}, "none of yield_strength, hardness, leeb, drops is given"),
-        ({"hardness": 200, "leeb": 500}, "hardness and leeb of .* exactly one is needed"),
+        ({}, "given measurements: none; exactly one is needed"),
+        (
+            {"hardness": 200, "leeb": 500},
+            "given measurements: hardness and leeb; exactly one is needed",
+        ),
         ({"yield_strength": 250}, "yield_strength is 250 Pa; .* between 2.06e[+]05 and 6.18e[+]10"),
         ({"hardness": 200, "youngs_modulus": 206}, r"is 206; .*Check the unit: Pa, not MPa or GPa"),
         ({"hardness": 200, "density": 7.85}, r"is 7.85; .*Check the unit: kg/m\^3, not g/cm\^3"),

@@ -29,7 +29,9 @@ from plastigran.materials import RIGID, Material
 from plastigran.usable_laws import laws_for
 
 FEM_RADIUS = 0.1  # radius of the finite-element sphere [m]
-SPHERE_RADIUS = 1e-2  # radius of a sphere [m], which does not affect the restitution
+# Radius of the sphere [m] in impacts on a rigid plane. It affects the restitution only if the yield
+# strength depends on the strain rate.
+SPHERE_RADIUS = 1e-2
 BOUNDS = {
     "youngs_modulus": Declaration("", "Pa", 1e6, 2e12),
     "density": Declaration("", "kg/m^3", 10, 3e4),
@@ -79,10 +81,10 @@ def calibrate(
             metal and the plate is rigid.
         plastic_modulus: Plastic modulus H, the slope of stress versus plastic strain [Pa]; 0 for a
             perfectly plastic metal.
-        rate_coefficient: Relative increase of yield strength per e-fold increase of strain rate;
-            the yield strength belongs to a rate of 1/s. For steel with a measured hardness or
-            rebound hardness, the default is the value of steel, because these tests have other
-            strain rates than a simulation. Otherwise, the default is 0.
+        rate_coefficient: Relative increase of yield strength per e-fold increase of strain rate.
+            The resulting yield strength holds for a strain rate of 1/s. For steel with a measured
+            hardness or rebound hardness, the default is the value of steel, because these tests
+            have other strain rates than a simulation. Otherwise, the default is 0.
         scatter: Relative standard deviation of one measured restitution. The default is 0.02 for
             drops, and the scatter of conversions for rebound hardness.
         law: Name of the law.
@@ -92,7 +94,7 @@ def calibrate(
         force_ratio: Largest force / yield force of a finite-element fit of `vu_quoc_zhang`; None
             to omit the finite elements.
         radius: Radius of the finite-element sphere [m].
-        strain: Kinematics of the finite elements, small or finite.
+        strain: Strain of the finite elements: "small", or "finite" for a/R above 0.1.
         name: Name of the metal.
         progress: Whether to show a bar for the finite elements.
 
@@ -117,8 +119,8 @@ def calibrate(
     given = [quantity for quantity, value in measurements.items() if value is not None]
     if len(given) != 1:
         raise ValueError(
-            f"{' and '.join(given) or 'none'} of {', '.join(measurements)} is given; exactly one "
-            "is needed"
+            f"given measurements: {' and '.join(given) or 'none'}; exactly one is needed. Choose "
+            f"one of {', '.join(measurements)}"
         )
     (quantity,) = given
     _refuse_unused(quantity, scatter, force_ratio, radius, strain)
@@ -175,7 +177,8 @@ def _refuse_unused(
     """Reject `scatter` and finite-element settings that the calibration does not use."""
     if scatter is not None and quantity not in ("leeb", "drops"):
         raise ValueError(
-            f"scatter is {scatter!r}, but it applies only to leeb or drops, not to {quantity}"
+            f"scatter is {scatter!r}, but it applies only to leeb or drops, not to {quantity}. "
+            "Omit scatter"
         )
     if force_ratio is None:
         for name, value, default in (("radius", radius, FEM_RADIUS), ("strain", strain, "small")):
@@ -248,7 +251,11 @@ def _expected_error(
     hardening: bool,
     drops: DropTest | None,
 ) -> ExpectedError:
-    """Return the error of the law for the intended speeds, or the measured or usual speeds."""
+    """Return the expected error of the law in a range of impact speeds.
+
+    The range is `speeds` if given, otherwise the range of the measured impacts. For measurements
+    without impacts, the range is `USUAL_SPEEDS`.
+    """
     ratio = result.speed_ratio or USUAL_SPEEDS
     another_pair = drops is not None and (drops.ball is not None or drops.plate != RIGID)
     if speeds is not None:
@@ -264,6 +271,6 @@ def _expected_error(
     fastest = contact.impact(max(ratio[1], 1.0) * contact.yield_speed)
     widest = contact.law.follow(contact.radius_eff, [fastest.overlap_max])["contact_radius"][0]
     error = expected_error(contact.law.name, ratio, hardening, widest / contact.radius_eff)
-    if another_pair:  # the yield speed of the result belongs to the bodies of the drop test
+    if another_pair:  # name the bodies, because the result's yield speed is for the drop test
         return attrs.evolve(error, regime=f"{error.regime}, sphere on a rigid plane")
     return error

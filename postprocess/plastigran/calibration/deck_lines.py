@@ -14,7 +14,7 @@ def deck_lines(
     """Return the lines of a deck for grains of one atom type.
 
     Args:
-        law: Name of the law, the tangential model, and options of the law.
+        law: Words that follow `model` in pair_style: law, tangential model and options.
         body: Constants of the grains by name.
         pair: Constants of the contact of two grains by name.
         comment: Comment at the end of the lines of `pair`.

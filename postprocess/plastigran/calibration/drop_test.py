@@ -80,7 +80,7 @@ class DropTest:
                 "plate=None, on the command line `--plate metal`"
             )
         if not len(self.speed):
-            raise ValueError("the drop test contains no drop")
+            raise ValueError("the drop test contains no drop; at least one is needed")
 
     @property
     def ball_name(self) -> str:

@@ -13,7 +13,7 @@ import pandas as pd
 DEFAULT_LAW = "universal"
 #: Smallest contact radius / sphere radius of contacts of the kind "large a/R".
 WIDE = 0.05
-#: Kinds of contacts in the table of errors.
+#: Kinds of contacts in the table of errors (data/errors.csv).
 KINDS = ("perfectly plastic", "hardening", "large a/R")
 #: Default range of impact speeds, divided by the yield speed.
 USUAL_SPEEDS = (1.0, 300.0)
@@ -24,8 +24,8 @@ class ExpectedError:
     """Errors of a law compared with finite elements, as fractions; None if unknown.
 
     Attributes:
-        regime: Names in `KINDS` of the kinds of contact that were compared; if none were, the
-            reason.
+        regime: Kinds of contact (see `KINDS`) that were compared with finite elements. If there was
+            no comparison, the reason.
         speed_ratio: Smallest and largest impact speed / yield speed.
         restitution, restitution_largest: Rms error and largest error of the coefficient of
             restitution.
@@ -41,7 +41,7 @@ class ExpectedError:
 
     @classmethod
     def of_another_pair(cls, speed_ratio: tuple[float, float]) -> ExpectedError:
-        """Return an `ExpectedError` without values, for bodies other than sphere and plane."""
+        """Return an `ExpectedError` without values, because the bodies are not sphere and plane."""
         return cls(
             "unknown, because finite elements exist only for spheres on a rigid plane", speed_ratio
         )
@@ -59,7 +59,7 @@ class ExpectedError:
 
 @cache
 def errors_table() -> pd.DataFrame:
-    """Read the errors of `plastigran validate` by law, kind of contact and speed regime."""
+    """Read the errors of `plastigran validate` by law, kind of contact and range of speeds."""
     with (files("plastigran") / "data" / "errors.csv").open() as file:
         return pd.read_csv(file, comment="#")
 
@@ -67,11 +67,13 @@ def errors_table() -> pd.DataFrame:
 def expected_error(
     law: str, speed_ratio: tuple[float, float], hardening: bool, contact_radius_ratio: float
 ) -> ExpectedError:
-    """Return the largest errors of a law in a range of speeds.
+    """Return the largest errors of a law in a range of impact speeds.
+
+    The errors are unknown if the table of errors does not cover the law or the whole range.
 
     Args:
         law: Name of the law.
-        speed_ratio: Smallest and largest speed / yield speed [-].
+        speed_ratio: Smallest and largest impact speed / yield speed [-].
         hardening: Whether the metal hardens.
         contact_radius_ratio: Contact radius / sphere radius at the largest speed [-].
     """

@@ -40,7 +40,10 @@ def figure(metal: CalibratedMetal, progress: bool = False) -> Figure:
         return drops_figure(metal)
     if metal.pressed is not None:
         return finite_elements_figure(metal, progress)
-    raise ValueError("a figure needs a drop test or finite elements")
+    raise ValueError(
+        "the figure shows a drop test or finite elements, but the calibration has neither. Give "
+        "drops or force_ratio to calibrate"
+    )
 
 
 def drops_figure(metal: CalibratedMetal) -> Figure:

@@ -70,7 +70,8 @@ SCALES = {
     "HB": HardnessScale(
         _numbers("HB", 76, 618), lambda value: value / 0.95, 0.05, "HB = 0.95 HV, ISO 18265"
     ),
-    # The manuals of two tester makers differ by 4 % in HV, at 41.5 and 54.5 HRC.
+    # The scatter of 5 % covers the difference between the manuals of two makers of testers: 4 % in
+    # HV, at 41.5 and 54.5 HRC.
     "HRC": HardnessScale(
         _numbers("HRC", 20, 68), _rockwell_c_to_vickers, 0.05, "table 1 of ASTM E140"
     ),

@@ -30,7 +30,7 @@ ELASTIC = 1 - 1e-6  # an impact with at least this restitution counts as elastic
 
 @attrs.frozen
 class Estimate:
-    """Yield strength from measured restitutions.
+    """Yield strength that was estimated from measured restitutions.
 
     Attributes:
         yield_strength: Least-squares value [Pa].

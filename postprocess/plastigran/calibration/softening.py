@@ -2,10 +2,12 @@
 """Soften a material without a change of restitution, which allows a longer time step.
 
 Young's modulus is multiplied by s < 1. For laws without other constants, an impact at speed v
-depends only on nu and v / v_Y, with the yield speed v_Y ~ (p_Y^5 / (E*^4 rho))^(1/2). If the yield
-strength is multiplied by s^(4/5), at the same nu and rho, v_Y and the restitution at every speed
-are unchanged. Durations, time step and overlap increase as s^(-2/5), and contact radius / radius
-as s^(-1/5). Forces decrease as s^(2/5). `POWERS` gives the scaling of the constants of a material.
+depends only on Poisson's ratio nu and on v / v_Y. The yield speed v_Y is proportional to
+(p_Y^5 / (E*^4 rho))^(1/2), with the yield pressure p_Y, the effective modulus E* and the density
+rho. If the yield strength is multiplied by s^(4/5), at the same nu and rho, v_Y and the restitution
+at every speed are unchanged. Durations, time step and overlap increase as s^(-2/5), and contact
+radius / radius as s^(-1/5). Forces decrease as s^(2/5). `POWERS` gives the scaling of the constants
+of a material.
 """
 
 from __future__ import annotations
@@ -29,12 +31,14 @@ from plastigran.usable_laws import laws_for
 POWERS = {
     "youngs_modulus": 1.0,
     "yield_strength": 0.8,
-    "tangent_modulus": 1.0,  # strain scales as a/R, s^(-1/5), so hardening scales as s^(4/5)
+    # Hardening stress is tangent modulus times strain. The strain scales as a/R, s^(-1/5). The
+    # hardening stress therefore scales as the yield strength, s^(4/5).
+    "tangent_modulus": 1.0,
     "dissipative_constant": -0.4,  # a time, which scales as the contact duration
 }
 #: Power of s by which durations, overlaps and time steps are multiplied.
 TIME_POWER = -0.4
-#: Largest overlap / radius at which a grain counts as hard (1 % of the diameter).
+#: Largest overlap / radius at which a softened grain still counts as hard (1 % of the diameter).
 SOUND_OVERLAP = 0.02
 #: Speeds / yield speed at which laws are compared.
 SPEED_RATIOS = np.geomspace(1, 1000, 61)

@@ -33,11 +33,11 @@ DENTED_FLAT_NOTE = (
     "the expected errors are for spheres that flatten; for indented flats see "
     "docs/validation_steel.md"
 )
-DROP_SCATTER = 0.02  # default standard deviation of one restitution
+DROP_SCATTER = 0.02  # default of the relative standard deviation of one measured restitution
 # Relative standard deviation of the restitution from a Leeb reading: 95 % of conversions are
 # within 4.5 %.
 LEEB_SCATTER = 0.045 / 1.96
-TREND_SIGNIFICANCE = 0.01  # significance level of a trend with speed
+TREND_SIGNIFICANCE = 0.01  # significance level for a trend of the deviation with impact speed
 LEEB_RANGE = Declaration("rebound hardness", "HL", 100, 1000, True, True)
 STEEL = Declaration("Young's modulus of steel", "Pa", 1.9e11, 2.2e11)
 # Rate coefficient C of steel 4340 for a yield strength at 1/s: Johnson & Cook, 7th Int. Symp.
@@ -76,7 +76,7 @@ def from_hardness(hardness: Hardness, plastic_modulus: float, youngs_modulus: fl
     Args:
         hardness: Hardness of the metal.
         plastic_modulus: Plastic modulus, the slope of stress versus plastic strain [Pa].
-        youngs_modulus: Young's modulus E [Pa], which identifies steel.
+        youngs_modulus: Young's modulus E [Pa], by which the function recognizes steel.
 
     Raises:
         ValueError: Hardening alone exceeds the flow stress.
@@ -109,7 +109,7 @@ def from_hardness(hardness: Hardness, plastic_modulus: float, youngs_modulus: fl
 
 
 def read_leeb(reading: float | str) -> tuple[ReboundTester, float]:
-    """Return device and reading from a number, which is HLD, or a text such as "750HLG".
+    """Return rebound tester and reading from a number, which is HLD, or a text such as "750HLG".
 
     Raises:
         ValueError: `reading` is not a valid text or number, or is out of range.

@@ -36,7 +36,7 @@ DEFAULT_LAW = "jkr"
 #: Smallest surface energy of the search [J/m^2].
 LEAST = 1e-9
 #: Distance between atoms [m]. `jkr` is valid if the elastic stretching (R* Gamma^2/E*^2)^(1/3) of
-#: the contact is much larger.
+#: the contact is much larger than this distance.
 ATOMS = 3e-10
 
 _FORCE = Declaration("pull-off force", "N", 0)
@@ -141,7 +141,10 @@ def calibrate_adhesion(
         names = sorted(filter(can_adhere, laws.LAWS))
         raise ValueError(f"law {law} has no surface energy. Use one of {', '.join(names)}")
     if (pull_off_force is None) == (sticking_speed is None):
-        raise ValueError("exactly one of pull_off_force and sticking_speed is needed")
+        raise ValueError(
+            f"pull_off_force is {pull_off_force} and sticking_speed is {sticking_speed}. Give "
+            "exactly one of pull_off_force and sticking_speed"
+        )
     yields = laws.LAWS[law].yields
     load = read_number("load", load, _LOAD)
     if load and (not yields or pull_off_force is None):
@@ -191,7 +194,7 @@ def pull_off_after(contact: Contact, load: float) -> float:
         load: Largest compressive force [N].
 
     Raises:
-        ValueError: The bodies would overlap by more than R*.
+        ValueError: The bodies would overlap by more than the effective radius R*.
     """
     law, radius = contact.law, contact.radius_eff
 
@@ -200,7 +203,10 @@ def pull_off_after(contact: Contact, load: float) -> float:
 
     high = radius
     if missing(high) > 0:
-        raise ValueError(f"load is {load:g} N; the bodies would overlap by more than R*")
+        raise ValueError(
+            f"load is {load:g} N; the bodies would overlap by more than R* = {radius:.3g} m. "
+            "Lower load, or check its unit"
+        )
     state = law.State()
     law.respond(radius, brentq(missing, 0, high, xtol=1e-18 * radius, rtol=1e-15), state)
     return float(law.pull_off_force(radius, 0.0, state))
@@ -236,7 +242,10 @@ def _from_speed(contact: Callable[[float], Contact], speed: float) -> float:
 
 
 def _root(reached: Callable[[float], bool], upper: float) -> float:
-    """Return the smallest surface energy that meets a condition. `upper` must meet it."""
+    """Return the smallest surface energy [J/m^2] for which `reached` is true.
+
+    `reached` must be true at `upper`.
+    """
     low, high = log(LEAST), log(upper)
     while high - low > 1e-13:
         middle = 0.5 * (low + high)
@@ -267,11 +276,11 @@ def _notes(contact: Contact, gamma: float, material: Material, b: Bodylike) -> l
     if stretching < 10 * ATOMS:
         notes.append(
             f"the elastic stretching (R* Gamma^2/E*^2)^(1/3) is {stretching:.2g} m; the law is "
-            f"valid if it is much larger than the distance between atoms, {ATOMS:g} m"
+            f"valid only if this length is much larger than the distance between atoms, {ATOMS:g} m"
         )
     if b == RIGID or read_material(b) != material:
         notes.append(
             f"the surface energy belongs to this pair of bodies; two bodies of {material.name} "
-            "have another one"
+            "have another surface energy"
         )
     return notes

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Declaration of a reproduced paper, and functions that several papers use.
 
+The module of a paper declares the paper as follows:
+
     PAPER = declare(
         name="zv02",
         title="An elastic-plastic sphere on a rigid plane",
@@ -46,7 +48,7 @@ STRESS_LABEL = "von Mises stress / flow stress"
 
 @attrs.frozen(kw_only=True)
 class Paper(Evidence):
-    """Paper that can be reproduced.
+    """Paper whose results this package computes again.
 
     Attributes:
         citation: Authors, journal, volume, year, page.

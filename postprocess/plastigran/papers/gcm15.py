@@ -51,7 +51,8 @@ OTHER_STRONGE = "stronge, original radius"
 def compute(progress: bool, coarse: bool) -> Runs:
     """Compute every law at both angles, in LIGGGHTS and by the equations of motion.
 
-    As in the paper, friction has no spring: it is mu F as soon as the tip slides.
+    As in the paper, friction has no tangential spring: the friction force is mu times the normal
+    force as soon as the tip slides.
     """
     speeds = (-MEASURED.velocity_before,) if coarse else PAPER_SPEEDS
     with TemporaryDirectory() as folder:
@@ -73,9 +74,9 @@ def restitution(runs: Runs) -> pd.DataFrame:
 
 
 def measured_run(runs: Runs) -> pd.DataFrame:
-    """Return results of the laws, and results computed from the measured impulse.
+    """Return results for the experiment whose velocities before and after impact the paper prints.
 
-    They are for the experiment whose velocities before and after the impact the paper prints.
+    The results are those of the laws, and the angular velocity computed from the measured impulse.
     """
     rod = next(rod for rod in paper_rods() if rod.angle == MEASURED.angle)
     impacts = runs.table

@@ -34,7 +34,7 @@ def colour_scale(title: str, unit: str, values: object, from_zero: bool) -> Colo
     letter, factor = prefix(values)
     low, high = float(np.min(values)) * factor, float(np.max(values)) * factor
     low = min(low, 0.0) if from_zero else low
-    ticks = [low]  # the only label if all values are equal
+    ticks = [low]  # if all values are equal, the scale has one label
     if low < high:
         ticks = MaxNLocator(INTERVALS, steps=[1, 2, 2.5, 5, 10]).tick_values(low, high)
     ends = float(ticks[0]), float(ticks[-1])

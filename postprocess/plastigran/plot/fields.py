@@ -11,7 +11,7 @@ from matplotlib.tri import Triangulation
 
 
 def draw_mesh(axes: Axes, points: np.ndarray, quads: np.ndarray, **style: object) -> None:
-    """Draw the edges of quadrilaterals with mid-side nodes; the edges are parabolas.
+    """Draw the edges of quadrilaterals with mid-side nodes. Each edge is a parabola.
 
     Args:
         axes: Axes to draw in.

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Find the files of the frames of a run, and check that they are complete.
+"""Find the frames of a run, and check that their files are complete.
 
-LIGGGHTS writes frames as VTK files, LAMMPS as text dumps of the grains.
+A frame is the output of the run at one time step. LIGGGHTS writes frames as VTK files, LAMMPS as
+text dumps of the grains.
 
 This module needs pyvista, an optional dependency: `pip install pyvista`.
 """
@@ -36,7 +37,7 @@ class DamagedFrame(SnapshotError):
 
 @attrs.frozen
 class Frame:
-    """Files of one time step of a run; None for files that do not exist.
+    """Output files of a run at one time step; None for files that do not exist.
 
     Attributes:
         step: Time step number.
@@ -112,7 +113,7 @@ def whole_frames(frames: Iterable[Frame]) -> list[Frame]:
         except DamagedFrame as error:
             warnings.warn(f"{error}; the frame of step {frame.step} is left out", stacklevel=2)
     if not whole:
-        raise SnapshotError("no frame is complete")
+        raise SnapshotError("no frame is complete. Run the deck again")
     return whole
 
 
@@ -138,7 +139,8 @@ def read_frame_file(path: Path) -> pyvista.DataSet:
             data = pyvista.read(path)
     except (RuntimeError, ValueError, TypeError):
         raise DamagedFrame(path) from None
-    # VTK reports no error for a file that ends between two of its parts, so check the parts.
+    # VTK reports no error for a file that ends after a complete section. So check that the points
+    # and the sections after them exist.
     if not data.n_points:
         whole = b"\nPOINTS 0 " in content
     elif path.name.startswith("mesh_"):  # mesh files may have no data columns

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Data of the VTK frames of a run: grains with their values, and triangles of the walls."""
+"""Data of the frames of a run (its output at single steps): grains, contact forces and walls."""
 
 from __future__ import annotations
 
@@ -114,7 +114,7 @@ def read_frame(frame: Frame) -> GrainFrame:
         none = np.zeros(0)
         return GrainFrame(frame.step, np.empty((0, 3)), none, none, none, none, walls)
     if missing := {"radius", "v", "id"} - set(grains.point_data):
-        raise SnapshotError(f"{frame.grains} has no {', '.join(sorted(missing))}")
+        raise SnapshotError(f"{frame.grains} has no column {', '.join(sorted(missing))}")
     positions = np.asarray(grains.points, float).reshape(-1, 3)
     work = grains.point_data.get("f_plastic_work")
     return GrainFrame(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Movie of the VTK frames of a run. Movies need pyvista and imageio; MP4 files also need av."""
+"""Movie of the frames that a run wrote. Movies need pyvista and imageio; MP4 files also need av."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def save_grain_movie(
     rate: float = 10.0,
     progress: bool = True,
 ) -> None:
-    """Draw a movie of frames. All frames have the same view and the same color scale.
+    """Draw a movie of the frames of a run, all with the same view and the same color scale.
 
     A frame without grains shows only the walls. Incomplete frames are omitted.
 

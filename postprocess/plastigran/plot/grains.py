@@ -46,8 +46,8 @@ def mean_power(work: pd.Series, time: pd.Series, window: float) -> pd.Series:
     Args:
         work: Accumulated work (n,), J.
         time: Evenly spaced times (n,), s.
-        window: Length of the window [s]. It is rounded to whole rows, at most a quarter of the
-            rows.
+        window: Length of the window [s]. The function rounds it to a whole number of time
+            intervals, and limits it to a quarter of the series.
 
     Returns:
         The power of each window (m,), where m < n. The index is the time at the middle of the

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figure of oblique impacts versus the normalized angle of Maw, Barber & Fawcett (1976)."""
+"""Figure of oblique impacts versus the normalized impact angle of Maw, Barber & Fawcett (1976)."""
 
 from __future__ import annotations
 

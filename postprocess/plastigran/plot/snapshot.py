@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Pictures of the VTK frames of a run: grains, force chains and meshes, drawn without a screen.
+"""Pictures of the frames of a run: grains, force chains and meshes, drawn without a screen.
+
+A frame is the output of the run at one time step.
 
 This module needs pyvista, an optional dependency: `pip install pyvista`.
 """
@@ -62,7 +64,7 @@ def draw(
         view: Direction of view, a key of `VIEWS`.
         size: Width and height in pixels.
         span: Values at the ends of the color scale. The default is the range of values in the
-            frame. With `span`, a frame may have no grains or contacts.
+            frame. If `span` is given, a frame without grains or contacts is allowed.
         bounds: Smallest and largest visible x, y and z [m] (6 numbers). The default is the extent
             of the frame.
 
@@ -136,7 +138,7 @@ def _add_contacts(plotter: pyvista.Plotter, frame: Frame, span: Span) -> None:
 def _add_coloured(
     plotter: pyvista.Plotter, mesh: pyvista.DataSet, scale: ColourScale, colour_map: str
 ) -> None:
-    """Add a mesh, colored by its values of the quantity of the scale, and the color scale."""
+    """Add a mesh to the picture, colored by its column `scale.axis`, and the color scale."""
     plotter.add_mesh(
         mesh,
         scalars=scale.axis,

@@ -18,7 +18,7 @@ def spectra_figure(spectra: Mapping[str, Mapping[str, pd.DataFrame]]) -> Figure:
 
     The classes are intervals of the quantity. Classes that are not positive are omitted, because
     the axes are logarithmic. Classes below the round-off of the largest value are omitted, because
-    they contain impacts without loss.
+    they contain impacts without energy loss.
 
     Args:
         spectra: Tables by axis title, and then by partner (particles or a wall). Each table is

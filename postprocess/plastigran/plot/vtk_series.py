@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Write frames as XML files of VTK, and a file that lists these files by time.
+"""Write the frames of a run as XML files of VTK, and a file that lists these files by time.
 
-ParaView opens the list (.pvd). OVITO and ParaView open the files (.vtp). This module needs pyvista.
+A frame is the output of the run at one time step. ParaView opens the list (.pvd). OVITO and
+ParaView open the files (.vtp). This module needs pyvista.
 """
 
 from __future__ import annotations
@@ -20,9 +21,10 @@ CONTACTS = {"delta": "overlap"}
 
 
 def contact_table(frame: Frame) -> dict[str, np.ndarray]:
-    """Return the columns of the contacts of a frame, each (N,) or (N, 3).
+    """Return the data of the N contacts of a frame as columns, each (N,) or (N, 3).
 
-    The columns are id1, id2, overlap [m], radius_eff [m] and the further columns of the VTK file.
+    The columns are id1, id2 (IDs of the grains), overlap [m], effective radius radius_eff [m] and
+    the further columns of the VTK file.
     """
     contacts, grains = read_frame_file(frame.contacts), read_frame_file(frame.grains)
     if not contacts.n_cells:

@@ -115,8 +115,8 @@ def spectrum_figure(computed: Computed) -> Figure:
     """Draw the spectra of the flight after some impacts, and the frequencies of the exact modes."""
     figure, panels = subplots(len(SHOWN), 1, figsize=(7.5, 6), sharex=True)
     highest = 1.04e-3 * computed.vibrations[SHOWN[1]].modes["frequency"].max()
-    # The last number is signal frequency / mode frequency: energy oscillates twice per period of a
-    # mode.
+    # The last number of each signal is signal frequency / mode frequency. It is 2 for the strain
+    # energy, which oscillates twice per period of a mode.
     signals = (
         ("strain energy", "middle_elastic_energy", 2),
         ("top", "top_displacement", 1),

@@ -103,7 +103,10 @@ def energies(computed: Computed) -> pd.DataFrame:
 
 
 def restitution(computed: Computed) -> pd.DataFrame:
-    """Return 1 - e by momentum and by kinetic energy. Every restitution e is close to one."""
+    """Return 1 - e, with the restitution e computed from momentum and from kinetic energy.
+
+    The table shows 1 - e, because e is close to one.
+    """
 
     def row(impact: Impact, vibration: Vibration) -> dict[str, float]:
         initial = vibration.history["kinetic_energy"].iloc[0]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Bulk benchmark of Dosta et al. 2024: cases that eight open codes have computed."""
+"""Bulk benchmark of Dosta et al. 2024: impact, silo and drum, computed by eight open codes."""
 
 from __future__ import annotations
 
@@ -20,10 +20,10 @@ def paper(
     host: str = "liggghts",
     **options: object,
 ) -> Paper:
-    """Return the benchmark with the tables and figures of one case, or of all.
+    """Return the benchmark with the tables and figures of one case, or of all cases.
 
     Args:
-        case: Name in `CASES`; all cases if not given.
+        case: Name in `CASES`; None for all cases.
         folder: Folder of the bulk runs, by default results/dosta24. Unfinished runs in it continue.
         host: Program that runs the decks: liggghts, or lammps for the case impact.
         options: Further arguments of `compute` in the modules of the cases.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs of a case with several random beds, and the contact laws of the benchmark."""
+"""Runs of a benchmark case with several random beds, and the contact laws of the benchmark."""
 
 from __future__ import annotations
 
@@ -23,9 +23,15 @@ CONTACTS = {
 
 
 def softened_grains(factor: float) -> dict[str, float]:
-    """Return settings of softened grains M1; `factor` is softened / original modulus [-].
+    """Return deck settings for softened grains of material M1.
 
     The yield strength is scaled so that the restitution of laws with yield stays the same.
+
+    Args:
+        factor: Softened / original Young's modulus [-].
+
+    Returns:
+        Young's modulus and yield strength [Pa], by name of the setting.
     """
     grains = soften(read_material("grain_m1"), factor)
     return {"youngs_modulus": grains.youngs_modulus, "yield_strength": grains.yield_strength}
@@ -44,10 +50,10 @@ def run_beds(
 
     Args:
         deck: Name of the deck.
-        settings: Deck settings to override, without those of the contacts.
+        settings: New values of settings of the deck, except the settings in `CONTACTS`.
         label: Label of `CONTACTS`, or name of a law.
         beds: Number of random beds. Their seeds are 1, 2, ...
-        path: Start of the paths of the folders; label and seed follow.
+        path: Path to which label and seed are appended, for the folder of each run.
         ranks: Number of MPI ranks.
         progress: Whether to show a progress bar.
     """

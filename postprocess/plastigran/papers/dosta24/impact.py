@@ -25,7 +25,8 @@ PUBLISHED_BEDS = (25000, 50000, 100000)
 #: Number of random beds, by number of grains and label of `CONTACTS`.
 BEDS = {25000: {"hertz": 5, "thornton": 1}, 50000: {"hertz": 1}, 100000: {"hertz": 2}}
 #: Settings of all runs. The time step is twice as long as in the paper. In the bed of the eight
-#: codes, the ball flies freely before the end.
+#: codes, the ball rebounds and flies freely before the end of the run, so its later motion follows
+#: from gravity.
 FULL = {"timestep": 1e-6, "duration": 0.05, "rows": 100}
 #: Inner sides of the box [m] and initial volume fraction, chosen for the ten beds of the eight
 #: codes. The defaults of the deck are chosen for the published beds, which are looser.
@@ -61,7 +62,7 @@ def compute(
         law: Labels of `CONTACTS`, or names of laws; by default the labels in `BEDS`.
         beds: Number of beds; by default the numbers in `BEDS`.
         ranks: Number of MPI ranks.
-        host: lammps; LIGGGHTS if not given.
+        host: "lammps", or None for LIGGGHTS.
     """
     runs = {}
     for count in [COARSE_GRAINS] if coarse else [grains] if grains else BEDS:
@@ -83,8 +84,9 @@ def compute(
 def displacement_at(time: float, run: BulkRun) -> float:
     """Return the displacement of the ball [m].
 
-    After the end of the run, the motion follows from gravity, if the ball flies freely at the end
-    and still moves upward at `time`. Otherwise, the displacement is NaN.
+    For a time after the end of the run, the displacement is computed from free flight under
+    gravity. This requires that the ball flies freely at the end and still moves upward at `time`.
+    Otherwise, the displacement is NaN.
 
     Args:
         time: Time [s].
@@ -138,7 +140,7 @@ def _measured(run: BulkRun, time: float | None) -> float:
 
 
 def _published(table: pd.DataFrame, time: float | None) -> float:
-    """Return the same as `_measured` for a published trajectory: columns time, displacement."""
+    """Return the result of `_measured` for a published trajectory: columns time, displacement."""
     if time is None:
         return float(table["displacement"].min())
     return float(np.interp(time, table["time"], table["displacement"]))
@@ -174,7 +176,7 @@ def impact_figure(data: Runs) -> Figure:
 
 
 def _draw_published(axis: Axes, count: int) -> None:
-    """Draw the band of the eight codes, and the published runs with the published bed."""
+    """Draw the band of the eight codes, and published runs of other codes with one bed."""
     if count == EIGHT_CODES_BED:
         codes = eight_codes().values()
         time = next(iter(codes))["time"]

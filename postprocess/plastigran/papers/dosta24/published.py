@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Published results of the benchmark."""
+"""Published results of the benchmark of Dosta et al. 2024."""
 
 from __future__ import annotations
 
@@ -20,7 +20,8 @@ def eight_codes() -> dict[str, pd.DataFrame]:
     """Return the displacement of the ball in beds of 25000 grains, by code.
 
     Returns:
-        For each code, columns time [s], and mean displacement and sd [m] over its beds.
+        For each code, columns time [s], mean displacement over its beds [m], and sd, the standard
+        deviation of the displacement [m].
     """
     table = _read("impact_25k")
     codes = [name.removesuffix("_mean") for name in table if name.endswith("_mean")]
@@ -55,10 +56,10 @@ def reruns(grains: int) -> dict[str, pd.DataFrame]:
 
 
 def silo(orifice: str) -> dict[str, pd.DataFrame]:
-    """Return the number of grains above an orifice, material M1, by code.
+    """Return the number of grains in the silo versus time, for grains of material M1, by code.
 
     Args:
-        orifice: large or small.
+        orifice: Orifice of the silo: large or small.
 
     Returns:
         For MUSEN and, with the large orifice, LIGGGHTS: columns time [s] and held (number of
@@ -73,7 +74,7 @@ def silo(orifice: str) -> dict[str, pd.DataFrame]:
 
 
 def drum() -> dict[str, pd.DataFrame]:
-    """Return the numbers of grains in two zones of the drum, by code.
+    """Return the numbers of grains in two opposite quadrants (zones) of the drum, by code.
 
     Returns:
         For LIGGGHTS and MUSEN, columns time [s], and small_1, small_2, large_1 and large_2: the

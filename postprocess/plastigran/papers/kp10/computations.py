@@ -45,8 +45,8 @@ OBLIQUE_SPEEDS = {10.0: (1.0, 0.6), 100.0: (3.0,)}
 SHOWN = (10.0, 1.0)
 LAWS = tuple(laws_for("cylinder"))
 HEAD_ON = Settings(divisions=4, steps_of_contact=120)
-#: Coarse resolution for oblique impacts. The computation takes ten times as long as for head-on
-#: impacts, because the whole track needs a fine mesh.
+#: Coarser resolution for oblique impacts. Their computation takes ten times as long as for head-on
+#: impacts, because the whole track of the sliding cylinder needs a fine mesh.
 OBLIQUE = Settings(divisions=3, fineness=0.6, steps_of_contact=40)
 COARSE = Settings(divisions=2, fineness=0.5, steps_of_contact=20)
 
@@ -55,9 +55,14 @@ COARSE = Settings(divisions=2, fineness=0.5, steps_of_contact=20)
 class Case:
     """Impact of the cylinder by finite elements.
 
-    `direction` is "head-on" or "oblique"; `mesh` is "usual" or "coarse". `body` is "layer" (100 µm
-    thick), "thick" (a body without reflected waves), "thin" (half the thickness of the layer) or
-    "glass" (the layer without the elasticity of the slider).
+    Attributes:
+        length_ratio: Length / radius of the cylinder [-].
+        speed: Impact speed [m/s].
+        direction: "head-on" or "oblique".
+        body: Body that is hit: "layer" (100 µm thick), "thick" (a body without reflected waves),
+            "thin" (half the thickness of the layer) or "glass" (the layer without the elasticity of
+            the slider).
+        mesh: "usual" or "coarse".
     """
 
     length_ratio: float

@@ -45,7 +45,7 @@ BODIES = {
 
 
 def comparison(computed: Computed) -> pd.DataFrame:
-    """Return the impact for which the paper states residual depths, head-on and oblique."""
+    """Return results of the impact `SHOWN`, head-on and oblique, with those of the paper."""
     strikes = {direction: computed.strikes[Case(*SHOWN, direction)] for direction in PAPER_DEPTHS}
     rows = []
     for direction, strike in strikes.items():
@@ -66,7 +66,10 @@ def comparison(computed: Computed) -> pd.DataFrame:
 
 
 def normal(computed: Computed) -> pd.DataFrame:
-    """Return head-on impacts: finite elements with and without reflected waves, and the laws."""
+    """Return results of head-on impacts, by finite elements and by the laws in LIGGGHTS.
+
+    The finite elements are those of the layer, and those of a body without reflected waves.
+    """
     rows = []
     for case, strike in sorted(computed.strikes.items()):
         if (case.direction, case.body, case.mesh) != ("head-on", "layer", "usual"):
@@ -110,7 +113,7 @@ def head_on(computed: Computed) -> pd.DataFrame:
 
 
 def oblique(computed: Computed) -> pd.DataFrame:
-    """Return finite-element results with sliding at 10 m/s and head-on.
+    """Return finite-element results of oblique impacts (sliding at 10 m/s) and head-on impacts.
 
     The impact `SHOWN` is also computed on a coarse mesh.
     """

@@ -62,7 +62,7 @@ class Computed:
         pressing: Quasi-static compression to each of `FORCES`.
         elastic_pressing: Compression to each of `FORCES` without plastic flow.
         fit: Compression to `CALIBRATION_FORCE`, from which the constants of the law are fitted.
-        onset: Compression to a force above the yield force in small steps, on a finer mesh.
+        onset: Compression to just above the yield force in small steps, on a finer mesh.
         mesh: Mesh of the impact at `SHOWN`.
         runs: LIGGGHTS runs with each of `LAWS` and with Hertz, at every speed.
     """

@@ -53,7 +53,7 @@ def onset(computed: Computed) -> pd.DataFrame:
     from_axis, depth = place / pressing.unloadings["contact_radius"].iloc[0]
     poisson = MATERIAL.poissons_ratio
     hertz_factor = contact_laws.hertz_yield_pressure_factor(poisson)
-    # Find the depth/a of the largest von Mises stress on the axis under Hertz' pressure.
+    # Find depth / contact radius of the largest von Mises stress on the axis under Hertz' pressure.
     z = np.linspace(0.2, 1, 8001)
     stress = 1.5 / (1 + z**2) - (1 + poisson) * (1 - z * np.arctan(1 / z))
     hertz_depth = z[np.argmax(stress)]
@@ -143,9 +143,8 @@ def restitution(computed: Computed) -> pd.DataFrame:
     """Return the table of `_impacts` for the restitution, with further columns.
 
     These columns have the restitution from the mean velocity of the mesh nodes, and the restitution
-    that the paper states for its law.
-
-    The nodal restitution oscillates while the sphere flies.
+    that the paper states for its law. The nodal restitution oscillates while the sphere flies, so
+    the table gives its mean and range.
     """
     table = _impacts(computed, "coefficient_of_restitution")
     by_nodes = [nodal_restitution(impact) for impact in computed.impacts.values()]
