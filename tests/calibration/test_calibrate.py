@@ -182,7 +182,7 @@ def test_material_file_reads_back(tmp_path):
         ({"hardness": 200, "radius": "x"}, "radius is 'x', but it applies only to finite elements"),
         ({"hardness": 200, "force_ratio": "x"}, "force_ratio is 'x'"),
         ({"hardness": 200, "speeds": []}, "speeds is empty; give the slowest and the"),
-        ({"drops": 5}, "drops is 5; it must be a DropTest or the path of its file"),
+        ({"drops": 5}, "drops is 5; it must be a DropTest or the path of a table"),
     ],
 )
 def test_wrong_arguments_are_refused(arguments, message):

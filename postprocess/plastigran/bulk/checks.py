@@ -36,7 +36,7 @@ ENERGIES = ["kinetic", "elastic", "plastic", "friction", "viscous"]
 #: Energy terms of contacts with adhesion: the surface energy, which is negative, and the energy
 #: lost when contacts form and break. If the log has both columns, they belong to the energy input.
 ADHESION = ["surfaces", "adhesion"]
-#: Energy terms that are dissipation.
+#: Names of the energy terms that contacts dissipate.
 DISSIPATED = ["plastic", "friction", "viscous"]
 #: Energy terms that accumulate from the start of a run.
 FLOWS = [*DISSIPATED, "wallwork", "inserted", "drift"]
@@ -65,7 +65,7 @@ class Check:
 
 
 def range_checks(excess: dict[str, float]) -> list[Check]:
-    """Return a failed check for each law whose largest overlap exceeds the limit `EXCESS`.
+    """Return the failed checks of the validity range: one for each law that exceeds `EXCESS`.
 
     Args:
         excess: Largest overlap / largest valid overlap [-], by name of the law.
@@ -109,7 +109,7 @@ def dissipated(series: pd.DataFrame) -> pd.Series:
 
 
 def since_first(series: pd.DataFrame) -> pd.DataFrame:
-    """Return a series whose time [s] and accumulated terms [J] start at zero in the first row."""
+    """Shift the time [s] and accumulated energies [J] of a series to zero in the first row."""
     accumulated = [*FLOWS, "time"]
     return series.assign(**{name: series[name] - series[name].iloc[0] for name in accumulated})
 

@@ -121,7 +121,7 @@ class BulkDeck:
         Raises:
             ValueError: A condition is violated; the message names the setting.
         """
-        if self.rows % self.checkpoints:  # a checkpoint needs a log line at its step
+        if self.rows % self.checkpoints:  # the log must have a line at the step of each checkpoint
             raise ValueError(f"checkpoints is {self.checkpoints}; it must divide rows, {self.rows}")
         if self.law == "hertz" and self.ledger == "on":
             raise ValueError(
@@ -202,7 +202,7 @@ class BulkDeck:
         return Grains(self.law, options, material, self.radius)
 
     def derived(self, name: str) -> float:
-        """Return the VALUE of a log line `derived NAME = VALUE`; errors as for `read_derived`."""
+        """Return the VALUE that the deck printed as `derived NAME = VALUE`; see `read_derived`."""
         return read_derived(self.output, name)
 
     def ledger_checks(self, series: pd.DataFrame) -> list[Check]:

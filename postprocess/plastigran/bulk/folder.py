@@ -190,7 +190,7 @@ def all_excess(folder: str | Path) -> dict[str, float]:
 
 
 def read_derived(folder: str | Path, name: str) -> float:
-    """Return one of the values of `all_derived` by name.
+    """Return a value that the deck printed as `derived NAME = VALUE`.
 
     Raises:
         ValueError: The deck did not print this value.

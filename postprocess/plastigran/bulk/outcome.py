@@ -92,8 +92,8 @@ class BulkRun:
             CheckError: A check failed; the message names it.
         """
         if failed := self.analysis.failed:
-            values = "; ".join(f"{c.name} {c.value:.3g}, at most {c.limit:.3g}" for c in failed)
-            raise CheckError(f"failed checks: {values} (in {self.folder})")
+            values = "; ".join(f"{c.name} is {c.value:.3g}, limit {c.limit:.3g}" for c in failed)
+            raise CheckError(f"failed checks of the run in {self.folder}: {values}")
         return self
 
 

@@ -41,7 +41,10 @@ CONTINUE_HINT = (
 CONTROL = {"if", "jump", "next", "label", "reset_timestep", "read_restart"}
 
 #: Notes about omitted checks and figures.
-NO_TERMS = "no checks were made: the deck has no energy balance, or the log lacks its terms"
+NO_TERMS = (
+    "no checks were made: the deck has no energy balance, or the log lacks the energy terms that "
+    "inputs/energy_ledger.in defines"
+)
 NO_INPUT = "the energy balance was not checked, because the energy input is zero"
 NO_TIME = (
     "the energy balance was not drawn, because the log has no time. Add `time` to thermo_style"
@@ -178,7 +181,7 @@ def analyse_own(series: pd.DataFrame) -> Analysis:
 
 
 def _worst_checks(series: pd.DataFrame) -> list[Check]:
-    """Return, for each energy check, the worst result of all simulations between `clear`s."""
+    """Return the worst result of each energy check in all simulations between `clear` commands."""
     parts = [series]
     if "simulation" in series:
         parts = [part for _, part in series.groupby("simulation") if energy_input(part) > 0]

@@ -61,7 +61,9 @@ def _read_earlier_rows(folder: Path) -> list[pd.DataFrame]:
     try:
         return [pd.read_csv(folder / BEFORE).astype({"step": int})]
     except (KeyError, ValueError) as error:
-        raise DumpError(f"{folder / BEFORE} is damaged: {error}") from None
+        raise DumpError(
+            f"{folder / BEFORE} is damaged: {error}. Restore the file or repeat the run"
+        ) from None
 
 
 def _read_log(folder: Path) -> tuple[list[LoggedRun], pd.DataFrame]:
@@ -71,7 +73,7 @@ def _read_log(folder: Path) -> tuple[list[LoggedRun], pd.DataFrame]:
     """
     log = log_path(folder)
     if not log.is_file():
-        raise DumpError(f"{folder} contains no {log.name}")
+        raise DumpError(f"{folder} contains no {log.name}. Check the path, or repeat the run")
     runs = read_runs(log)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", TruncatedFileWarning)

@@ -75,7 +75,7 @@ def contact_columns(run: BulkRun, frame: Frame) -> dict[str, np.ndarray]:
     # Match contacts by their order, which is the same in both files. IDs do not identify a contact,
     # because a pair may have a second contact across a periodic boundary.
     if not all(np.array_equal(contacts[name], histories[name]) for name in ("id1", "id2")):
-        raise DumpError(f"{file} and {frame.contacts} list different contacts")
+        raise DumpError(f"{file} and {frame.contacts} list different contacts. Repeat the run")
     separated = contacts["overlap"] <= 0
     works = plastic_works(
         run.deck.grains,

@@ -91,8 +91,8 @@ def calibrate(
         speeds: Slowest and fastest impact speed of the intended simulation [m/s], for a sphere of
             the metal on a rigid plane. The default is the range of the measured impacts, or 1 to
             300 yield speeds if no impacts were measured.
-        force_ratio: Largest force / yield force of a finite-element fit of `vu_quoc_zhang`; None
-            to omit the finite elements.
+        force_ratio: Largest force / yield force of a finite-element computation, to which the
+            constants of `vu_quoc_zhang` are fitted. None omits the finite elements.
         radius: Radius of the finite-element sphere [m].
         strain: Strain of the finite elements: "small", or "finite" for a/R above 0.1.
         name: Name of the metal.
@@ -211,7 +211,7 @@ def _check_law(law: str) -> None:
 def _rate(
     rate_coefficient: float | None, quantity: str, youngs_modulus: float
 ) -> tuple[float, list[str]]:
-    """Return the rate coefficient and the notes on it."""
+    """Return the rate coefficient of the yield strength, and notes on it for the user."""
     depends_on_rate = quantity in ("hardness", "leeb")
     rate = rate_coefficient or 0.0
     if rate_coefficient is None and depends_on_rate:
@@ -230,7 +230,7 @@ def _drop_test(drops: Any) -> DropTest:
         return drops
     if isinstance(drops, str | Path):
         return DropTest(**read_drop_test(drops))
-    raise ValueError(f"drops is {drops!r}; it must be a DropTest or the path of its file")
+    raise ValueError(f"drops is {drops!r}; it must be a DropTest or the path of a table of drops")
 
 
 def _check_strength(value: float, youngs_modulus: float) -> None:

@@ -226,7 +226,9 @@ def _fit(
             "is a lower bound"
         )
     elif estimate.interval[1] == inf:
-        notes.append("the impacts are nearly elastic: the interval has no upper end")
+        notes.append(
+            "the impacts are nearly elastic: the interval of the yield strength has no upper end"
+        )
     notes += _trend(np.log(speed), measured / restitution(estimate.yield_strength), scatter)
     return Strength(
         estimate.yield_strength,

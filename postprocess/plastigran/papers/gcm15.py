@@ -49,7 +49,9 @@ OTHER_STRONGE = "stronge, original radius"
 
 
 def compute(progress: bool, coarse: bool) -> Runs:
-    """Compute every law at both angles, in LIGGGHTS and by the equations of motion.
+    """Compute impacts of the rod with every law at both angles.
+
+    Each impact is computed in LIGGGHTS and by integrating the equations of motion of the rod.
 
     As in the paper, friction has no tangential spring: the friction force is mu times the normal
     force as soon as the tip slides.
@@ -62,7 +64,7 @@ def compute(progress: bool, coarse: bool) -> Runs:
 
 
 def restitution(runs: Runs) -> pd.DataFrame:
-    """Return the restitution of the normal velocity of the tip: experiments and laws."""
+    """Return the restitution of the normal velocity of the rod's tip: experiments and laws."""
     table = _by_law(runs, "coefficient_of_restitution_predicted")
     for rod in paper_rods():
         law = RodImpact("stronge", 1.0, rod=rod).contact_law(unloading="original_radius")
@@ -127,7 +129,7 @@ def engine(runs: Runs) -> pd.DataFrame:
 
 
 def _by_law(runs: Runs, column: str) -> pd.DataFrame:
-    """Return one row per angle and speed, one column per law."""
+    """Return the values of `column` as a table: one row per angle and speed, one column per law."""
     wide = runs.table.pivot(index=["angle", "speed"], columns="law", values=column)
     wide = wide[LAWS].sort_index(level=0, ascending=False, sort_remaining=False)
     names = {"angle": "angle (°)", "speed": "speed (m/s)"}

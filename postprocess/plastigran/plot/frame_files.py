@@ -28,7 +28,7 @@ class SnapshotError(ValueError):
 
 
 class DamagedFrame(SnapshotError):
-    """A file of a frame is incomplete. The message names the file."""
+    """A file of a frame is incomplete; the message names the file."""
 
     def __init__(self, path: Path) -> None:
         super().__init__(f"{path} is cut short or damaged")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Computations whose results several tables and figures use."""
+"""Computations of the vibrating sphere of Chamoli's thesis, by finite elements and in LIGGGHTS."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ Impact = tuple[float, float]  # Young's modulus, Pa, and speed, m/s
 
 @attrs.frozen
 class Computed:
-    """Data of the tables and figures.
+    """Computed data of the tables and figures of this thesis.
 
     Attributes:
         vibrations: Finite-element results by Young's modulus and speed.

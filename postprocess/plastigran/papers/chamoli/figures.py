@@ -61,7 +61,10 @@ def _hertz_units(impact: Impact) -> tuple[float, float, float]:
 
 @styled()
 def energies_figure(computed: Computed) -> Figure:
-    """Draw kinetic, strain and penalty energy / impact energy versus time, and vibration energy."""
+    """Draw kinetic, strain and penalty energy / impact energy versus time, and vibration energy.
+
+    Penalty energy is the energy of the stiff springs that represent the rigid plane.
+    """
     figure, grid = subplots(2, len(SHOWN), figsize=(11, 5.2), sharex=True)
     parts = (
         ("kinetic", "kinetic_energy", "-"),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Case impact: a steel ball hits a bed of grains."""
+"""Case impact of the benchmark of Dosta et al. 2024: a steel ball hits a bed of grains."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ from plastigran.plot.style import COLOURS, styled, subplots
 
 #: Times at which the benchmark compares the displacement of the ball [s].
 TIMES = (0.03, 0.05, 0.1)
-#: Number of grains of the bed that all eight codes have computed.
+#: Number of grains in the bed that all eight codes of the benchmark have computed.
 EIGHT_CODES_BED = 25000
-#: Numbers of grains of the published beds.
+#: Numbers of grains in the beds whose initial grain positions the benchmark has published.
 PUBLISHED_BEDS = (25000, 50000, 100000)
 #: Number of random beds, by number of grains and label of `CONTACTS`.
 BEDS = {25000: {"hertz": 5, "thornton": 1}, 50000: {"hertz": 1}, 100000: {"hertz": 2}}
@@ -38,7 +38,7 @@ COARSE |= {"volume_fraction": 0.5}
 COARSE |= {"timestep": 2e-6, "duration": 0.01, "rows": 50, "checkpoints": 2}
 
 
-#: Runs of several beds, by number of grains and label of `CONTACTS`.
+#: Runs with several random beds, by number of grains and label of `CONTACTS`.
 Runs = dict[tuple[int, str], list[BulkRun]]
 
 
@@ -52,7 +52,7 @@ def compute(
     ranks: int = 1,
     host: str | None = None,
 ) -> Runs:
-    """Run the beds, or continue their runs in `folder`.
+    """Run the impact of the ball on random beds, or continue the runs in `folder`.
 
     Args:
         progress: Whether to show a progress bar.
@@ -110,7 +110,8 @@ def impact(data: Runs) -> pd.DataFrame:
 
     The column of a law is the mean over our random beds; its "deviation" is the standard deviation
     of this mean. "codes, lowest" and "codes, highest" are the extremes of the mean values of the
-    eight codes. The last columns are the published runs of other codes with the published bed.
+    eight codes. The last columns are runs of other codes that start from the published grain
+    positions.
     """
     rows = []
     for count in dict.fromkeys(count for count, _ in data):
@@ -176,7 +177,7 @@ def impact_figure(data: Runs) -> Figure:
 
 
 def _draw_published(axis: Axes, count: int) -> None:
-    """Draw the band of the eight codes, and published runs of other codes with one bed."""
+    """Draw the range of the eight codes, and runs of other codes with the published bed."""
     if count == EIGHT_CODES_BED:
         codes = eight_codes().values()
         time = next(iter(codes))["time"]

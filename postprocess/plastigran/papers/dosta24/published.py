@@ -38,7 +38,10 @@ def eight_codes() -> dict[str, pd.DataFrame]:
 
 
 def reruns(grains: int) -> dict[str, pd.DataFrame]:
-    """Return the displacement of the ball in the published bed of `grains` grains, by code.
+    """Return the displacement of the ball in the bed with published grain positions, by code.
+
+    Args:
+        grains: Number of grains of the bed: 25000, 50000 or 100000.
 
     Returns:
         For LIGGGHTS and MUSEN, columns time [s] and displacement [m].

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Case silo: grains flow out of a silo through a large or a small orifice."""
+"""Case silo of the benchmark of Dosta et al. 2024: discharge through a large or a small orifice."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ LONG = {("large", "hertz"): {"duration": 4.4, "rows": 220, "checkpoints": 22}}
 EMPTY = 1e-3
 #: Labels of `CONTACTS` by orifice.
 LAWS = {"large": ("hertz", "thornton"), "small": ("hertz",)}
-#: Line styles of other codes.
+#: Line styles of other codes in the figure.
 STYLES = {"LIGGGHTS": "--", "MUSEN": ":"}
 #: Settings of a coarse run.
 COARSE = softened_grains(0.002) | {"timestep": 4e-5, "duration": 0.08, "settling": 0.03}
@@ -68,10 +68,10 @@ def compute(
 
 
 def rates(data: Runs) -> pd.DataFrame:
-    """Return the discharge rates in thousand grains per second.
+    """Return the discharge rates of our runs and of other codes, in thousand grains per second.
 
-    Each orifice has two rows: the mean rate over the whole discharge (`whole_rate`), and the rate
-    from `settling` until the end of our shortest run.
+    Each orifice has two rows: the mean rate over the whole discharge (`whole_rate`), and the mean
+    rate from the setting `settling` until the end of our shortest run.
     """
     rows = []
     for orifice in dict.fromkeys(orifice for orifice, _ in data):
@@ -108,7 +108,10 @@ def _is_empty(series: pd.DataFrame) -> bool:
 
 
 def whole_rate(series: pd.DataFrame) -> float:
-    """Return the rate until the silo is empty, or until the end of the run."""
+    """Return the mean discharge rate until the silo is empty, or until the end of the run.
+
+    The unit is thousand grains per second.
+    """
     remaining = series["held"] > EMPTY * series["held"].iloc[0]
     last = min(remaining.sum(), len(series) - 1)
     return _rate(series, 0, series["time"].iloc[last])
@@ -121,7 +124,7 @@ def _rate(series: pd.DataFrame, start: float, end: float) -> float:
 
 
 def energies(data: Runs) -> pd.DataFrame:
-    """Return the energy terms at the end of the runs that have an energy balance."""
+    """Return the energy terms at the end of each run that has an energy balance."""
     return energy_table(
         ({"orifice": orifice, "law": label}, runs) for (orifice, label), runs in data.items()
     )

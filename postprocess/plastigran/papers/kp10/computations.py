@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Finite-element computations and LIGGGHTS runs of the cylinder of the paper."""
+"""Finite-element and LIGGGHTS computations of a cylinder on glass (Katta & Polycarpou 2010)."""
 
 from __future__ import annotations
 
@@ -95,7 +95,7 @@ class Case:
 
 @attrs.frozen
 class Computed:
-    """Data of the tables and figures.
+    """Computed data of the tables and figures of this paper.
 
     Attributes:
         strikes: Finite-element results by case.

@@ -98,7 +98,10 @@ def normal(computed: Computed) -> pd.DataFrame:
 
 
 def _significant(outcome: object, name: str) -> float:
-    """Return a result in SI units, with 0 for a residual depth below `INSIGNIFICANT`."""
+    """Return a result in SI units; 0 for a residual depth that is below the limit `INSIGNIFICANT`.
+
+    The limit is relative to the largest depth.
+    """
     value = getattr(outcome, name)
     residual = name in ("residual_depth", "overlap_res")
     return 0.0 if residual and value < INSIGNIFICANT * outcome.overlap_max else value

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Finite-element computations and LIGGGHTS runs of the sphere of the paper."""
+"""Finite-element and LIGGGHTS computations of the sphere of Zhang & Vu-Quoc (2002)."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ LAWS = ("vu_quoc_zhang", "thornton", "stronge", "kogut_etsion", "jackson_green")
 
 @attrs.frozen
 class Computed:
-    """Data of the tables and figures.
+    """Computed data of the tables and figures of this paper.
 
     Attributes:
         impacts: Finite-element impacts with plastic flow, by speed.

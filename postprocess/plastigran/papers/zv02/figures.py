@@ -70,7 +70,7 @@ def collisions_figure(computed: Computed) -> Figure:
     for axes, speed in zip(panels[0], speeds, strict=True):
         for law, colour in (("hertz", GREY), (LAWS[0], law_colour(LAWS[0]))):
             loop = computed.run(law, speed).loop
-            # Select the last frame before contact, while the sphere moves toward the plane.
+            # Select the last output before contact, while the sphere moves toward the plane.
             before = loop[loop["force"] == 0].iloc[0]
             first_touch = before["time"] - before["overlap"] / before["speed"]
             time = 1e6 * (loop["time"] - first_touch)

@@ -76,7 +76,7 @@ def onset(computed: Computed) -> pd.DataFrame:
 
 
 def elastic(computed: Computed) -> pd.DataFrame:
-    """Return results of the impacts without plastic flow."""
+    """Return results of impacts without plastic flow: paper, finite elements, Hertz, LIGGGHTS."""
     rows = []
     for speed, impact in computed.elastic_impacts.items():
         force, duration = SPHERE.force(SPHERE.approach_max(speed)), SPHERE.duration(speed)

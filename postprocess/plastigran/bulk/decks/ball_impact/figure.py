@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figure of the motion of the ball."""
+"""Figure of the ball that hits a bed of grains: displacement and velocity versus time."""
 
 from __future__ import annotations
 

@@ -27,7 +27,7 @@ STEADY = 0.05
 #: Largest allowed root-mean-square deviation from Bagnold's profile, divided by the surface speed.
 PROFILE = 0.05
 
-#: Settings of a short run with few grains.
+#: Settings of a short run with few grains, for tests.
 BRIEF = {"length": 4, "width": 3, "depth": 6, "start_speed": 0.9, "angle": 26}
 BRIEF |= {"duration": 0.06, "settling": 0, "rows": 12, "checkpoints": 4}
 

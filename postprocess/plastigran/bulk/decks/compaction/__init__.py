@@ -27,7 +27,7 @@ TOUCH = 0.01
 #: Pressure / peak pressure above which the bed counts as loaded.
 LOADED = 0.2
 
-#: Settings of a short run with few grains.
+#: Settings of a short run with few grains, for tests.
 BRIEF = {"layers": 5, "die_radius": 0.005, "duration": 0.15, "filling": 0.1, "rows": 100}
 BRIEF |= {"checkpoints": 10, "relative_density": 0.7, "release": 0.25}
 

@@ -27,7 +27,7 @@ DEVIATIONS = 4
 #: Further model options that are allowed, because they do not change the restitution.
 HARMLESS = ("tangential_damping", "energy_ledger", "overlap_limit")
 
-#: Settings of a short run with few grains.
+#: Settings of a short run with few grains, for tests.
 BRIEF = {"side": 6, "duration": 40, "rows": 40, "checkpoints": 4}
 
 

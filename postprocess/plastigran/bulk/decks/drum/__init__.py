@@ -31,7 +31,7 @@ LEVER_ARM = 2e-3
 #: oscillating bed stores the difference, mainly as potential energy.
 STEADY = 0.05
 
-#: Settings of a short run with few grains.
+#: Settings of a short run with few grains, for tests.
 BRIEF = {"drum_radius": 0.05, "length": 0.03, "froude": 0.05, "duration": 0.05, "settling": 0}
 BRIEF |= {"rows": 12, "checkpoints": 4}
 
@@ -59,7 +59,9 @@ class Drum(FlowDeck):
         # The length of the shell mesh equals the drum radius.
         require(self, "length", lower=4 * largest, upper=self.drum_radius)
         if self.law == "hertz" and self.spectra == "on":
-            raise ValueError("spectra is on, but LIGGGHTS' own hertz has none. Set spectra=off")
+            raise ValueError(
+                "spectra is on, but LIGGGHTS' own hertz has no collision spectra. Set spectra=off"
+            )
         FlowDeck.check(self)
 
     @property
@@ -73,7 +75,7 @@ class Drum(FlowDeck):
         return 2 * pi / self.angular_velocity * self.settling
 
     def analyse(self, series: pd.DataFrame) -> Analysis:
-        """Analyse angle and wall work; arguments as for `BulkDeck.analyse`."""
+        """Analyse angle of repose and work of the wall; arguments as for `BulkDeck.analyse`."""
         series = self.with_angle(series)
         steady = series[series["time"] >= self.settled]
         dump = read_dump(self.output / "grains.dump")

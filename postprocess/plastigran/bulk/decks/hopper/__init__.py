@@ -38,7 +38,7 @@ def orifices() -> list[str]:
     return sorted((name.removeprefix("hopper_") for name in names), key=float)
 
 
-#: Settings of a short run with few grains.
+#: Settings of a short run with few grains, for tests.
 BRIEF = {"orifice": 8, "layers": 2, "timestep": 2e-5, "duration": 0.5, "rows": 24}
 BRIEF |= {"filling": 0.12, "checkpoints": 6}
 

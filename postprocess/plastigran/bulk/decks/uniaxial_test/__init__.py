@@ -39,7 +39,7 @@ SLOW = 0.02
 #: error is proportional to the square of the time between log lines.
 WORK = 2e-3
 
-#: Settings of a short run with few grains.
+#: Settings of a short run with few grains, for tests.
 BRIEF = {"side": 3, "layers": 4, "options": "", "filling": 0.02, "consolidation": 0.1}
 BRIEF |= {"release": 0.01, "strain": 0.05, "speed": 0.03, "timestep": 4e-6, "rows": 80}
 BRIEF |= {"checkpoints": 4}

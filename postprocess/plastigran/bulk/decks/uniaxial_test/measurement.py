@@ -14,7 +14,11 @@ TOUCH = 0.01
 
 
 class Stage(IntEnum):
-    """Stage of a uniaxial test."""
+    """Stage of a uniaxial test, in order of time.
+
+    The platen consolidates the sample in the mold and moves up. Then the mold opens, and the platen
+    compresses the free sample.
+    """
 
     CONSOLIDATION = 0
     UNLOADING = 1
