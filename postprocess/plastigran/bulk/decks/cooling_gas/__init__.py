@@ -129,12 +129,12 @@ class CoolingGas(BulkDeck):
         """Return an upper bound of the elastic energy / kinetic energy at the start [-].
 
         At a given time, N s/2 pairs of the N grains are in contact. s is the collision rate of a
-        grain times the duration of an elastic impact at the mean speed. The energy m g^2/4 of an
-        impact at the closing speed g is exponentially distributed with mean m T, where m is the
-        mass of a grain and T the granular temperature. About half of this energy is stored at a
-        given time. The total kinetic energy is 3/2 N m T. The mean fraction is therefore s/6, with
-        a standard deviation of s^(1/2)/(3 N^(1/2)). The bound adds `DEVIATIONS` standard deviations
-        to the mean.
+        grain times the duration of an elastic impact at the mean speed. An impact at the closing
+        speed g has the energy m g^2/4, with the mass m of a grain. This energy is exponentially
+        distributed with mean m T, where T is the granular temperature. About half of the energy is
+        stored at a given time. The total kinetic energy is 3/2 N m T. The mean fraction is
+        therefore s/6, with a standard deviation of s^(1/2)/(3 N^(1/2)). The bound adds `DEVIATIONS`
+        standard deviations to the mean.
         """
         grains = self.grains
         modulus, speed = grains.pair.youngs_modulus_eff, (pi * self.temperature) ** 0.5
