@@ -79,7 +79,10 @@ def material_with(law: str, deck: Path) -> dict[str, str]:
 
 
 def execute(tree: Path, run: Run, folder: Path) -> dict[str, bytes]:
-    """Run a deck of a source tree, and return the results that must not change, by name."""
+    """Run a deck of a source tree, and return the results by name.
+
+    The results must be the same in both trees.
+    """
     folder.mkdir(parents=True)
     line = [str(tree / "build" / "liggghts-plastigran"), "-in", str(tree / "inputs" / run.deck)]
     line += ["-log", str(folder / "log.liggghts")]

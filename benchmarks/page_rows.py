@@ -34,7 +34,7 @@ class Row:
 def write_rows(page: Path, part: str, rows: list[Row]) -> None:
     """Replace one table in a page of the documentation. The table stands between two HTML comments.
 
-    The first comment contains the name of the part, the second comment the word `end`.
+    The first comment contains the text `part`, the second comment the word `end`.
     """
     text = page.read_text()
     table = "".join(f"| {row.cells()} |\n" for row in rows)

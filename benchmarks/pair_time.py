@@ -6,8 +6,9 @@ A bed of spheres (bed.in, kept in build/bench) is compressed and half released a
 paths (pair_time.in). Every law therefore has the same contacts at every step. There are two cases.
 In the plastic bed, a low yield strength makes nearly all contacts plastic. In the elastic bed, a
 high yield strength keeps all contacts elastic. All laws run once per round, and every round begins
-with another law. Ratios are taken within a round, so that slow changes of the machine's speed
-cancel. `hertz` runs twice per round, and the ratio of these two times shows the noise.
+with another law. Ratios are computed from the times of the same round, so that slow changes of the
+machine's speed cancel. `hertz` runs twice per round, and the ratio of these two times shows the
+noise.
 
 The reference is stock `hertz` with restitution 0.6. The reference computes viscous damping, which
 the laws of this project do not have. All runs have `tangential history`, except with the option

@@ -11,10 +11,10 @@ full compression between the hosts: `hertz` in LIGGGHTS and `hertz/material` in 
 of this check are elastic and have no damping.
 
 All laws run once per round, stock `hertz` runs twice, and every round begins with another law.
-Ratios are taken within a round. The time of a loop is the processor time of its process, including
-the setup of the run. Another load on the machine lengthens this time far less than the elapsed
-time. The time of the pair forces is the processor time of the loop, multiplied by the share of the
-pair forces in the table of times that the host prints.
+Ratios are computed from the times of the same round. The time of a loop is the processor time of
+its process, including the setup of the run. Another load on the machine lengthens this time far
+less than the elapsed time. The time of the pair forces is the processor time of the loop,
+multiplied by the share of the pair forces in the table of times that the host prints.
 """
 
 from __future__ import annotations

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Order of the runs of a benchmark in rounds, and entry point of benchmarks."""
+"""Order in which benchmarks run their laws, and start of a benchmark program."""
 
 from __future__ import annotations
 

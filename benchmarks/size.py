@@ -88,7 +88,7 @@ def print_cost(table: pd.DataFrame) -> None:
 
 
 def print_restart(bed: Path, steps: int) -> None:
-    """Print whether a restarted run ends bitwise identical to the whole run.
+    """Print whether a restarted run ends bitwise identical to the run without restart.
 
     The comparison includes positions, velocities and forces of every grain.
     """

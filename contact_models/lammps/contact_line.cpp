@@ -15,8 +15,8 @@ namespace plastigran {
 
 namespace {
 
-// Returns whether a word of a line belongs to LAMMPS: it begins one of LAMMPS' own models, or the
-// position of a wall.
+// Returns whether a word in a `pair_coeff` or wall line begins the part that LAMMPS itself reads:
+// the choice of its own models, or the position of a wall.
 bool begins_models(const std::string& word) {
   static const std::vector<std::string> first{
       "damping",       "tangential",          "rolling", "twisting", "heat",   "cutoff",   "region",
@@ -30,7 +30,8 @@ const BodyConstant* body_constant(const std::string& name) {
   return nullptr;
 }
 
-// Returns whether a line gives the constant as `E nu` instead of `name value`.
+// Returns whether a constant precedes the words `name value` of a line. Young's modulus and
+// Poisson's ratio do; they have no name in the line.
 bool precedes_names(const BodyConstant& constant) {
   return constant.value == &Body::youngs_modulus || constant.value == &Body::poissons_ratio;
 }
@@ -68,7 +69,8 @@ Complaint read_material(const std::string& name, Body& body) {
   return {};
 }
 
-// Returns the words of a line with the constants of the body instead of its material file.
+// Returns the words of a `pair_coeff` or wall line. The constants of the body replace the name of
+// its material file.
 std::vector<std::string> words_without_file(const ContactLine& line) {
   std::vector<std::string> words{line.law, exact(line.body.youngs_modulus),
                                  exact(line.body.poissons_ratio)};
@@ -88,8 +90,8 @@ bool is_restitution(const std::vector<std::string>& models) {
          (damping[1] == "tsuji" || damping[1] == "coeff_restitution");
 }
 
-// Reads the tangential law of a line. Replaces the words of this law by the words of LAMMPS' model
-// `mindlin`.
+// Reads the tangential law in a `pair_coeff` or wall line. Replaces the words of this law by the
+// words of LAMMPS' model `mindlin`.
 Complaint read_tangential(std::vector<std::string>& models, TangentialLine& line) {
   for (const char* const word : {"tangential", "rings"})
     if (std::count(models.begin(), models.end(), word) > 1)
@@ -117,7 +119,8 @@ Complaint read_tangential(std::vector<std::string>& models, TangentialLine& line
   }
   if (std::find(models.begin(), models.end(), "marshall") != models.end())
     return Complaint(
-        "`twisting marshall` needs one of LAMMPS' own tangential models; choose `twisting sds`");
+        "`twisting marshall` works only with LAMMPS' own tangential models, not with `" + name +
+        "`; use `twisting sds`");
   const std::vector<std::string> rest(end, models.end());
   models.erase(at + 1, models.end());
   models.insert(models.end(), {"mindlin", "NULL", "0", friction});

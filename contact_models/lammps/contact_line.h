@@ -39,11 +39,11 @@ struct ContactLine {
   std::string viscous;  // coefficient of LAMMPS' damping model; empty if not given
   TangentialLine tangential;
   std::vector<std::string> models;  // words that select LAMMPS' own models
-  // All words of the line for restart files. The constants of the body replace `body FILE`, because
-  // the file may change before the restart.
+  // Words of the line that restart files store. The constants of the body replace `body FILE`,
+  // because the material file may change before the restart.
   std::vector<std::string> words;
 
-  // Reads a line. Returns an error message; empty if the line is valid.
+  // Reads the words of a line. Returns an error message; empty if the line is valid.
   Complaint read(const std::vector<std::string>& line);
 
   // Returns the words that LAMMPS reads instead of the law: its model `hertz/material`. The modulus

@@ -36,7 +36,8 @@ void ContactTally::add_dissipated(const GranularModel& contact, double plastic_w
 }
 
 // Decks can move particles between two runs, so an overlap in the first step of a run may result
-// from a command instead of motion. Therefore the account also receives `run_begins_`.
+// from a command instead of motion. Therefore the RangeAccount also receives `run_begins_`, which
+// marks this step.
 void ContactTally::add_deep(const GranularModel& contact, const RuntimeLaw& law,
                             RangeAccount& account, double factor, const double* before,
                             const double* now) {

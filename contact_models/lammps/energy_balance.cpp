@@ -248,7 +248,7 @@ void EnergyBalance::restart(char* data) {
   Sums stored;
   std::memcpy(&stored, data, sizeof stored);
   started_ = has_run_ = stored.begun > 0;
-  // Rank 0 takes the sums of all ranks; the other ranks start at zero.
+  // After a restart, rank 0 holds the sums over all ranks, and the other ranks start at zero.
   if (comm->me != 0) return;
   sums_ = stored;
   last_state_ = stored.last_state;

@@ -4,7 +4,7 @@
 // `plastigran_energy`. docs/energy_balance.md defines the energy terms, which are the same as in
 // LIGGGHTS.
 //
-// No term is computed as the remainder of the others. The laws give elastic energy and plastic
+// No term is computed as the remainder of the other terms. The laws give elastic energy and plastic
 // work. The work of friction, dashpots and walls is the integral of their power by the trapezoidal
 // rule, with the velocities at the end of each step. With velocity Verlet, the work of all forces
 // then equals the change of the kinetic energy, except for the change of dt^2 F^2/(8 m) with the
@@ -55,9 +55,9 @@ class EnergyBalance : public LAMMPS_NS::Fix {
 
   EnergyBalance(LAMMPS_NS::LAMMPS* lammps, int count, char** words);
 
-  // Creates the fix if the simulation has none.
+  // Creates the fix of the energy balance if the simulation has none.
   static void create(LAMMPS_NS::LAMMPS* lammps);
-  // Returns the fix of a simulation; null if there is none.
+  // Returns the fix of the energy balance; null if the simulation has none.
   static EnergyBalance* of(LAMMPS_NS::LAMMPS* lammps);
 
   // Adds energies dissipated in this step on this rank [J].

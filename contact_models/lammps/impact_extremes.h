@@ -11,8 +11,8 @@
 
 namespace plastigran {
 
-// Returns the extremes of each atom type; index k holds atom type k + 1. Only the particles of one
-// group count. `group` is the bit mask of this group in LAMMPS.
+// Returns the extreme sizes and velocities of each atom type; index k holds atom type k + 1. Only
+// the particles of one group count. `group` is the bit mask of this group in LAMMPS.
 std::vector<TypeExtremes> type_extremes(LAMMPS_NS::LAMMPS* lammps, int group);
 
 std::vector<int> all_types(int count);

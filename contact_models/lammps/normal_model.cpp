@@ -71,8 +71,8 @@ void NormalModel::replace(GranularModel* model, LAMMPS_NS::LAMMPS* lammps, Laws 
   LoadModel::add(model, lammps, *normal, tally);
 }
 
-// Returns the law of the current contact. At a wall, it depends on the type of the particle, whose
-// index follows from the address of its velocity.
+// Returns the law of the current contact. At a wall, the law depends on the type of the particle,
+// whose index follows from the address of its velocity.
 const RuntimeLaw& NormalModel::law() const {
   if (laws_.size() == 1) return *laws_.front();
   const auto particle = (gm->vi - atom->v[0]) / 3;

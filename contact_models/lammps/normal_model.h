@@ -31,8 +31,8 @@ class NormalModel : public LAMMPS_NS::Granular_NS::GranSubModNormal {
               ContactTally& tally);
   ~NormalModel() override;
 
-  // Replaces the normal model that LAMMPS has created by a NormalModel, and LAMMPS' tangential
-  // model by the tangential law of the line, if it has one.
+  // Replaces LAMMPS' normal model with a NormalModel. If the line has a tangential law, also
+  // replaces LAMMPS' tangential model with this law.
   static void replace(LAMMPS_NS::Granular_NS::GranularModel* model, LAMMPS_NS::LAMMPS* lammps,
                       Laws laws, const TangentialLine& tangential, ContactTally& tally);
 

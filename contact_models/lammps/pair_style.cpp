@@ -115,12 +115,14 @@ void PairStyle::coeff(int count, char** words) {
     bodies[k] = line_of(static_cast<int>(type)).body;
   }
   if (std::stoi(words[0]) == std::stoi(words[1]))
-    error->all(FLERR, "pair_coeff {} {}: `mixed` needs two different atom types", words[0],
-               words[1]);
+    error->all(FLERR,
+               "pair_coeff {} {}: `mixed` needs two different atom types; give the law and a body "
+               "for a single type",
+               words[0], words[1]);
   add_model(words[0], words[1], line, bodies[0], bodies[1]);
 }
 
-// Makes LAMMPS create its own model for the atom types, and replaces it by the law.
+// Makes LAMMPS create its own model for the atom types, and replaces this model with the law.
 void PairStyle::add_model(const std::string& types, const std::string& other_types,
                           const ContactLine& line, const Body& one, const Body& other) {
   const auto made = law(line, one, other, "pair_coeff");
@@ -140,9 +142,9 @@ void PairStyle::set_model(GranularModel* model, const ContactLine& line,
   models_[model] = {line, made};
 }
 
-// Adds a model for two atom types. LAMMPS cannot mix the laws. Its mixing of `mindlin NULL` is also
-// unsuitable: between two types of equal modulus, the tangential stiffness would differ from that
-// between particles of one type.
+// Adds a model for two atom types without a line of their own. LAMMPS cannot mix the laws. LAMMPS'
+// mixing of `mindlin NULL` is also unsuitable: between two types of equal modulus, the tangential
+// stiffness would differ from that between particles of one type.
 void PairStyle::mix(int type, int other_type) {
   const ContactLine one = line_of(type), other = line_of(other_type);
   if (one.law != other.law || one.law_words != other.law_words || one.models != other.models ||
@@ -156,7 +158,7 @@ void PairStyle::mix(int type, int other_type) {
   mixed_.push_back({type, other_type});
 }
 
-// Adds models for all pairs of atom types that no line names together.
+// Adds models for all pairs of atom types without a line of their own.
 void PairStyle::mix_types() {
   for (int i = 1; i <= atom->ntypes; ++i)
     for (int j = i + 1; j <= atom->ntypes; ++j)
@@ -226,9 +228,11 @@ void PairStyle::check_models() {
                  types.first, types.second);
   }
   if (!last_offsets_.empty() && offsets() != last_offsets_)
-    error->all(FLERR,
-               "granular/plastigran: new pair_coeff lines move the values of the contact history; "
-               "give each pair of atom types only one line before the first run");
+    error->all(
+        FLERR,
+        "granular/plastigran: new pair_coeff lines move the values in the contact history, so "
+        "contacts would read wrong values; give each pair of atom types only one line "
+        "before the first run");
 }
 
 // Returns the positions of the models' values in the contact history, which are the same for all

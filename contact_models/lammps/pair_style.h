@@ -34,7 +34,7 @@ class PairStyle : public LAMMPS_NS::PairGranular, public ContactTally {
 
   // Reads the words of a line; stops the run if the line is invalid.
   ContactLine read(const std::vector<std::string>& words, const std::string& command);
-  // Returns the law of a line between two bodies; stops the run if a constant is invalid.
+  // Returns the law that a line selects, for two bodies; stops the run if a constant is invalid.
   std::shared_ptr<const RuntimeLaw> law(const ContactLine& line, const Body& one, const Body& other,
                                         const std::string& command);
 

@@ -15,8 +15,8 @@ class ParticleValues : public LAMMPS_NS::Fix {
  public:
   ParticleValues(LAMMPS_NS::LAMMPS* lammps, int count, char** words);
 
-  // Creates the values `name`, unless they exist. A deck reads them as `d_name`. `words` are
-  // appended to the command fix property/atom.
+  // Creates per-particle values with the name `name`, unless they exist. A deck reads them as
+  // `d_name`. `words` are appended to the command fix property/atom.
   static void create(LAMMPS_NS::LAMMPS* lammps, const std::string& name,
                      const std::string& words = "");
   // Returns the values of the particles of this rank and of its ghosts; stops the run if the values

@@ -31,7 +31,7 @@ void* make(void* lammps, int count, char** words) {
 #endif
 constexpr const char* tag = PLASTIGRAN_LAMMPS_TAG;
 
-// Returns whether the plugin was compiled for the binary interface of this LAMMPS.
+// Returns whether the plugin was compiled for the binary interface of the running LAMMPS.
 bool fits(const LAMMPS& lammps) {
   if (std::strcmp(lammps.version, PLASTIGRAN_LAMMPS_VERSION) != 0) return false;
 #ifdef PLASTIGRAN_LAMMPS_SOURCE

@@ -103,8 +103,8 @@ void RunTimeChecks::post_run() {
   }
 }
 
-// Prints the largest overlap if it exceeds the last printed one by more than `factor`. All ranks
-// must call this function.
+// Prints the largest ratio of overlap to limit if it exceeds `factor` times the last printed ratio.
+// All ranks must call this function.
 void RunTimeChecks::print_furthest(const std::string& law, Excess& excess, double factor) {
   if (excess.range.empty()) return;  // a law from the restart file that this run does not use
   double furthest;
@@ -140,7 +140,7 @@ void RunTimeChecks::restart(char* data) {
     Stored stored;
     std::memcpy(&stored, data, sizeof stored);
     Excess& excess = laws_[stored.law];
-    // Rank 0 takes the counts of all ranks; the other ranks start at zero.
+    // After a restart, rank 0 holds the counts of all ranks, and the other ranks start at zero.
     if (comm->me != 0) continue;
     excess.contacts = stored.contacts;
     excess.furthest = stored.furthest;

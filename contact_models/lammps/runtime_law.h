@@ -35,10 +35,10 @@ class RuntimeLaw {
   static constexpr std::size_t capacity = 8;  // largest number of values of a state
 
   virtual ~RuntimeLaw() = default;
-  // Returns the response with its pull-off force, and changes the state.
+  // Returns the response of the law, including the pull-off force, and updates the state.
   virtual Response respond(double radius_eff, double overlap, double overlap_rate, double factor,
                            double* state) const = 0;
-  // Returns the same response without energies, which takes less time.
+  // Returns the same response as respond(), but without energies, which takes less time.
   virtual Response forces(double radius_eff, double overlap, double overlap_rate, double factor,
                           double* state) const = 0;
   virtual double plastic_work(double radius_eff, double factor, const double* state) const = 0;
@@ -46,13 +46,14 @@ class RuntimeLaw {
   // Returns the energy that is lost if the contact formed or broke in a step [J]. `before` and
   // `now` are the states before and after the step.
   virtual double lost_at_ends(double radius_eff, const double* before, const double* now) const = 0;
-  // Returns whether the bodies are in contact; always true for laws whose contacts cannot stretch.
+  // Returns whether the bodies are in contact; always true for laws whose contacts cannot last
+  // without overlap.
   virtual bool in_contact(const double* state) const = 0;
   // Returns the tangential stiffness without slip [N/m].
   virtual double tangential_stiffness(double contact_radius) const = 0;
   virtual ImpactCheck check_impact(double radius_eff, double mass_eff, double speed) const = 0;
   virtual double range_at(double factor) const = 0;  // largest valid overlap/R* at a rate factor
-  // Counts a contact beyond the validity range.
+  // Counts a contact beyond the validity range in `account`.
   virtual void count(RangeAccount& account, double factor,
                      const DeepContact<const double*>& contact) const = 0;
 
@@ -170,7 +171,7 @@ class RuntimeLawOf : public RuntimeLaw {
 };
 
 // A law with its name in decks. `make` creates the law from a line. If a word or value of the line
-// is invalid, it returns null and sets the complaint.
+// is invalid, `make` returns null and sets the complaint.
 struct NamedLaw {
   const char* name;
   std::shared_ptr<const RuntimeLaw> (*make)(const ContactLine& line, const Body& one,

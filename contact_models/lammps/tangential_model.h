@@ -15,7 +15,7 @@ class NormalModel;
 
 class TangentialModel : public LAMMPS_NS::Granular_NS::GranSubModTangential {
  public:
-  // Replaces the tangential model that LAMMPS has created by the law of a line.
+  // Replaces the tangential model of LAMMPS with the tangential law of a line.
   static void add(LAMMPS_NS::Granular_NS::GranularModel* model, LAMMPS_NS::LAMMPS* lammps,
                   const NormalModel& normal, const TangentialLine& line, ContactTally& tally);
 

@@ -144,8 +144,8 @@ class WallStyle : private WallLine, public LammpsWall, public ContactTally {
       text += ' ' + part->name + ' ' + std::to_string(part->size_history);
     return text;
   }
-  // Returns the number of history values of a contact. If contacts can stretch, LAMMPS stores in an
-  // additional first value whether the bodies touch.
+  // Returns the number of history values of a contact. If contacts can last without overlap, LAMMPS
+  // stores in an additional first value whether the bodies touch.
   int history_size() const {
     return this->model->size_history + (this->model->beyond_contact ? 1 : 0);
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Interfaces of a law and of a contact history without their C++ types. They allow one Python
-// binding for all laws.
+// Interfaces that hide the C++ types of a law and of a contact history, so that one Python binding
+// works for all laws.
 #pragma once
 
 #include <array>

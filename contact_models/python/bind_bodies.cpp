@@ -81,7 +81,8 @@ Body read_body(const nb::args& values, const nb::kwargs& named) {
   nb::dict given;
   for (auto [name, value] : named) given[name] = value;
   for (std::size_t k = 0; k < values.size(); ++k) {
-    if (k >= body_constant_count) throw nb::type_error("too many positional constants for Body");
+    if (k >= body_constant_count)
+      throw nb::type_error("Body is given more constants than it has; see body_constants()");
     const char* const name = body_constants[k].name;
     if (given.contains(name)) throw nb::type_error((std::string(name) + " is given twice").c_str());
     given[name] = values[k];

@@ -71,7 +71,8 @@ class LawOf : public AnyLaw {
   }
 };
 
-// Binds additional functions of a law, such as a force-driven form, in a specialization.
+// Does nothing by default. Specializations bind functions that only one law has, such as the
+// overlap at a given force.
 template <class Law>
 void bind_extras(nb::class_<LawOf<Law>, AnyLaw>&) {}
 
@@ -178,7 +179,7 @@ Raises:
   bind_extras<Law>(law);
 }
 
-// Binds a law with adhesion, if the law can have it, and adds the class to `all`.
+// Binds the variant of a law with adhesion, if the law supports adhesion. Adds the class to `all`.
 template <class Law>
 void bind_adhesive_law(nb::module_& module, nb::dict& all, const char* class_name) {
   if constexpr (takes_adhesion<Law>) {

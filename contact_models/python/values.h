@@ -54,7 +54,8 @@ void bind_values(Class& type, const Values& values, const Restore& restore, bool
   });
 }
 
-// Binds a struct of numbers: its fields become read-only attributes and the values of the object.
+// Binds a struct of numbers. Its fields become read-only attributes of the Python object, and
+// define repr, equality, hash and pickle.
 template <class Class, std::size_t count>
 void bind_fields(Class& type, const std::array<Field<typename Class::Type>, count>& fields) {
   typedef typename Class::Type Self;

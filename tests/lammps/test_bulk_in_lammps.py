@@ -74,7 +74,8 @@ def test_both_hosts_give_the_same_series(deck, label, bulk_run):
 
 def test_the_bed_dissipates_as_in_liggghts(lammps_run, bulk_run):
     """The tangential springs of the hosts differ slightly, and a bed amplifies the difference. The
-    energy dissipated in 125 grains and 16 shots agrees within 5 %, about the scatter between seeds.
+    energies dissipated by 125 grains and 16 shots in both hosts agree within 5 %, about the scatter
+    between seeds.
     """
     settings = deck_class("bed_impact").briefs["bed"].settings
     lost = []

@@ -54,7 +54,7 @@ def script(lines: str) -> str:
         (f"{PLAIN} {FRICTION} tangential incremental 0.5", "`tangential` is given twice"),
         (
             f"{PLAIN} tangential incremental 0.5 twisting marshall",
-            "`twisting marshall` needs one of LAMMPS' own tangential models",
+            "works only with LAMMPS' own tangential models, not with `incremental`",
         ),
         (f"{PAIR}pair_coeff * * thornton {BODY} cutoff", "Illegal pair_coeff"),
         (f"{PAIR}pair_coeff * * thornton {BODY} hardness", "the value of hardness is missing"),
@@ -143,7 +143,7 @@ def script(lines: str) -> str:
             # LAMMPS deletes this unused model only at the restart.
             f"{TWO}thornton {BODY} rate_coefficient 0.01 {FRICTION}\n"
             f"pair_coeff 2 2 thornton {BODY} {FRICTION}\n{RESTART}",
-            "new pair_coeff lines move the values of the contact history",
+            "new pair_coeff lines move the values in the contact history",
         ),
         (
             f"{GOOD}{WALL}thornton rigid {FRICTION} xplane 0 NULL\n{RESTART}"

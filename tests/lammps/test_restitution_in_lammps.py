@@ -67,7 +67,8 @@ def test_restitution_follows_the_law(law, declared_jumps, tmp_path):
 
 @pytest.mark.parametrize("law", IMPACT_LAWS)
 def test_liggghts_gives_the_same_restitution(law, tmp_path):
-    """With the same start and time step, the hosts differ by round-off of sums."""
+    """With the same start and time step, the restitutions in both hosts differ only by
+    round-off."""
     material = attrs.evolve(MATERIAL, **constants(law))
     for geometry in ("sphere_wall", "two_spheres"):
         restitution = [
@@ -80,7 +81,7 @@ def test_liggghts_gives_the_same_restitution(law, tmp_path):
 
 
 def test_the_rate_factor_raises_the_yield_strength(tmp_path):
-    """At this time step, restitution has an error of 1e-7."""
+    """The tolerance 1e-7 is the error of the restitution at this time step."""
     steel = read_material("steel_1006")
     contact = pg.Contact("thornton", steel, pg.RIGID, radius=RADIUS)
     expected = contact.restitution(SPEEDS)
