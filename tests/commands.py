@@ -9,7 +9,7 @@ from plastigran.cli import main
 
 
 def all_commands(command: argparse.ArgumentParser) -> list[argparse.ArgumentParser]:
-    """Return all commands; a command with subcommands is replaced by its subcommands."""
+    """Return the parsers of all commands; subcommands replace the command that contains them."""
     for action in command._actions:
         if isinstance(action, argparse._SubParsersAction):
             return [found for below in action.choices.values() for found in all_commands(below)]

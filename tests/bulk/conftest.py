@@ -16,7 +16,7 @@ from plastigran.bulk.template import write_deck
 
 @pytest.fixture(scope="session")
 def steady_flow(bulk_run):
-    """`steady_flow(deck)` runs the steady flow of a deck."""
+    """`steady_flow(deck)` runs a deck with its settings in `STEADY_FLOWS`."""
 
     def run(deck: str) -> BulkRun:
         return bulk_run(deck, STEADY_FLOWS[deck])
@@ -26,15 +26,15 @@ def steady_flow(bulk_run):
 
 @pytest.fixture(scope="module")
 def short_gas(bulk_run) -> Path:
-    """Folder of a finished run of a gas on one rank."""
+    """Folder of a finished run of the deck `cooling_gas` on one MPI rank."""
     return bulk_run("cooling_gas", SHORT_GAS).folder
 
 
 @pytest.fixture
 def cut_log(short_gas, tmp_path):
-    """`cut_log(lines)` copies the run and removes lines at the end of its log, as after a kill.
+    """`cut_log(lines)` copies the run `short_gas` and removes the last lines of its log.
 
-    The last remaining line is incomplete.
+    The last remaining line is incomplete, as if LIGGGHTS had been killed.
     """
 
     def cut(lines: int) -> Path:
@@ -49,7 +49,7 @@ def cut_log(short_gas, tmp_path):
 
 @pytest.fixture
 def plain(tmp_path) -> Path:
-    """User's deck in a folder with white space in its name, with its include and mesh."""
+    """A user's deck with its include file and mesh, in a folder whose name has a space."""
     folder = tmp_path / "my decks"
     (folder / "meshes").mkdir(parents=True)
     template = write_deck(tmp_path / "template", "thornton", "steel")

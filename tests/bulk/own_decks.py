@@ -6,8 +6,8 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
-#: A sphere falls on a plane mesh. The deck has no settings. Its log has long names and no time
-#: step.
+#: A sphere falls on a plane mesh. The deck has no settings. Its log has two columns with long
+#: names, and no column of the time or the time step.
 PLAIN = """
 # Stoß einer Kugel
 units si
@@ -46,7 +46,14 @@ START = "variable start index fresh\nvariable checkpoint index none\n"
 
 
 def finished_run(folder: Path, log: str, before: str = "", **record: object) -> Path:
-    """Write the folder of a finished run of a user's deck `mine` with a log."""
+    """Write the folder of a finished run of a user's deck `mine`, and return the folder.
+
+    Args:
+        folder: Folder to create.
+        log: Text of the log of LIGGGHTS.
+        before: Series of the run that this run continues, as CSV text; empty for a new run.
+        record: Values of run.json that replace the defaults.
+    """
     folder.mkdir()
     record = {"deck": "mine", "own": True, "values": {}, "settings": {}} | record
     (folder / "run.json").write_text(json.dumps(record))

@@ -39,9 +39,10 @@ def test_unlimited_strength_gives_the_motion_of_stock_hertz(tmp_path):
 
 
 def test_interrupted_run_continues_to_the_same_end(tmp_path, brief_run):
-    """`finish_bulk` continues from a checkpoint, and reads a finished run.
+    """`finish_bulk` continues an interrupted run from a checkpoint, and only reads a finished run.
 
-    The displacement agrees to 1e-6 of its largest value, because the bed amplifies round-off.
+    The displacement of the ball agrees to 1e-6 of its largest value with an uninterrupted run,
+    because the bed amplifies round-off.
     """
     whole = brief_run("ball_impact", "")
     stopped = tmp_path / "runs" / "part_1"
@@ -71,8 +72,8 @@ def test_ball_must_start_above_the_bed():
 def test_an_impossible_bed_removes_no_earlier_run(tmp_path, brief_run):
     """Refused settings of a bed leave the files of an earlier run unchanged.
 
-    The earlier run ends at the given duration: round-off of 0.004 s / 1e-6 s / 40, slightly above
-    100, adds no steps.
+    The earlier run ends at the set duration. Its number of rows, 0.004 s / 1e-6 s / 40, is slightly
+    above 100 because of round-off, but this adds no steps.
     """
     whole = brief_run("ball_impact", "")
     assert whole.series["time"].iloc[-1] == pytest.approx(SHORT["duration"], rel=1e-12)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Shots on a plate and on a bed in LIGGGHTS, compared with the law and the energy balance."""
+"""Grains shot at a plate and at a bed in LIGGGHTS, compared with the law and the energy balance."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ def test_viscous_law(tmp_path):
 
 
 def test_command_names_a_late_shot(tmp_path, capsys):
-    """The command writes all results before it fails."""
+    """If a shot has not left the plate at the end, the command writes all results, then fails."""
     values = [f"{name}={value}" for name, value in (FEW | {"duration": 0.004}).items()]
     line = ["bulk", "bed_impact", "--output", str(tmp_path / "run"), "-v", *values]
     assert main(line) == 1
@@ -68,7 +68,7 @@ def test_command_names_a_late_shot(tmp_path, capsys):
 
 
 def test_bed_absorbs_the_shots(bed):
-    """Shots return with little energy; plastic work is near the surface."""
+    """Shots rebound from a bed with little energy; most plastic work is near its surface."""
     assert bed.passed
     grains = read_grains_dump(bed.folder / "grains.dump")
     count = int(bed.deck.derived("bed"))
@@ -85,8 +85,10 @@ def test_bed_absorbs_the_shots(bed):
 
 
 def test_speeds_are_those_at_the_surface():
-    """A shot at a height of 0.1 m left the surface at 2 m/s. Shots that lie below the surface or on
-    another shot have not rebounded.
+    """Impact and rebound speeds are those at the surface, corrected for gravity.
+
+    The first shot is 0.1 m above the surface, and left it at 2 m/s. Shots that lie below the
+    surface or on another shot have not rebounded.
     """
     shot = pd.DataFrame({"z": [0.101, 0.0005, 0.003], "vz": [(4 - 0.2 * 9.81) ** 0.5, 0.0, 0.0]})
     shot = shot.assign(z_before=0.002, vz_before=-1.0, plastic_work=3.0, touching=[0, 1, 1])

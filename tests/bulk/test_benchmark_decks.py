@@ -18,7 +18,7 @@ from plastigran.materials import Material
 
 
 def deck(name: str, **changes: object):
-    """Return a deck with its defaults and changes."""
+    """Return a deck with its default settings, except for `changes`."""
     return deck_class(name).read(read_deck(name, changes, ".").settings)
 
 
@@ -28,8 +28,10 @@ def test_meshes_of_the_silo_have_the_orifices_of_the_deck():
 
 @pytest.mark.parametrize("count", [1000, 100000])
 def test_filling_of_the_silo_has_the_volume_fraction(count):
-    """The volume below the surface is integrated numerically. The tolerance 1e-6 is the error of
-    1e6 slices at the kink of the surface.
+    """Grains fill the silo to `filling_height` with the set volume fraction.
+
+    The volume of the silo is the sum over 1e6 slices. Its relative error, 1e-6, arises at the kink
+    where the cone meets the barrel.
     """
     silo = deck("silo", grain_count=count)
     heights = (np.arange(1_000_000) + 0.5) * silo.filling_height / 1e6
@@ -79,7 +81,7 @@ def test_yield_strengths_give_the_restitutions_of_the_benchmark():
 
 
 def test_a_rebound_above_the_bed_is_no_free_fall():
-    """The check of free fall ends where the ball first reaches the bed."""
+    """The check of free fall ends where the ball first reaches the bed, also if it rebounds."""
     ball = deck("ball_impact")
     time = np.linspace(0, 0.1, 101)
     fall = ball.ball_height - 5 * time - 9.81 / 2 * time**2

@@ -47,7 +47,7 @@ def test_steady_rate():
 
 
 def test_change_of_the_rate_differs_from_scatter():
-    """The rate falls by a tenth halfway, which exceeds the scatter of the halves."""
+    """If the rate falls by a tenth halfway, the change exceeds the scatter within both halves."""
     series = course(800.0)
     # The steady part extends from 51 to 500 grains.
     half = series["counted"].between(275, 500)
@@ -62,7 +62,10 @@ def test_change_of_the_rate_differs_from_scatter():
 
 
 def test_scatter_is_in_the_error():
-    """Grains leave independently, so the rate of 500 grains has an error of about 500^(-1/2)."""
+    """The error estimate of the rate agrees with the scatter of 100 random discharges.
+
+    The grains leave independently, so the rate from n grains has the relative error n^(-1/2).
+    """
     rng = np.random.default_rng(7)
     ratios = []
     for _ in range(100):
@@ -72,16 +75,19 @@ def test_scatter_is_in_the_error():
         discharge = measure_discharge(series, 0.08, DIAMETER, DENSITY, GRAVITY, *SPHERES)
         ratios.append([discharge.rate / MASS / 800 - 1, discharge.rate_error / discharge.rate])
     off, error = np.array(ratios).T
-    # The steady part has about 440 grains, so the relative error is 440^(-1/2) = 0.048. The slope
-    # of a fitted line has 6/5 times the variance of a mean over blocks, which is 1.1 times its
-    # standard deviation. 100 runs determine a standard deviation within a tenth.
+    # The steady part has about 440 grains, so the relative error is 440^(-1/2) = 0.048. The rate is
+    # the slope of a fitted line. Its variance is 6/5 times that of a mean over blocks, so its
+    # standard deviation is 1.1 times as large. 100 runs give a standard deviation within a tenth.
     assert error.mean() == pytest.approx(440**-0.5, rel=0.2)
     assert off.std() == pytest.approx(1.1 * error.mean(), rel=0.25)
 
 
 @pytest.mark.parametrize("change", [{"last": 0.5}, {"packing": 0.3}])
 def test_no_rate_without_a_steady_part(change):
-    """The run ended before half of the grains were out, or the bed did not fill its volume."""
+    """No rate is measured if the run ends early, or if the volume fraction of the bed is too low.
+
+    A run ends early if fewer than half of the grains have flowed out.
+    """
     assert (
         measure_discharge(course(800.0, **change), 0.08, DIAMETER, DENSITY, GRAVITY, *SPHERES)
         is None

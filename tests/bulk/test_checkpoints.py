@@ -28,7 +28,7 @@ from plastigran.engine.process import EngineError
 
 @pytest.fixture
 def copied(short_gas, tmp_path) -> Path:
-    """A copy of the run that a test may change."""
+    """A copy of the run `short_gas` that a test may change."""
     return Path(shutil.copytree(short_gas, tmp_path / "run"))
 
 
@@ -48,8 +48,8 @@ def test_checkpoint_beyond_the_log_is_not_the_newest(short_gas, cut_log):
 def test_incomplete_checkpoint_is_not_the_newest(short_gas, ranks, tmp_path):
     """An incomplete checkpoint is not used: a full disk truncates it or fills its rest with zeros.
 
-    The test removes the checksums, which are missing after a kill, too. Zeros at the end of a
-    complete file stand for ranks without particles.
+    The test removes the checksums, because a killed run may lack them. A complete file may end with
+    zeros: LIGGGHTS writes one zero for each rank without particles.
     """
     folder = tmp_path / "full"
     if ranks == 1:
@@ -74,7 +74,7 @@ def test_incomplete_checkpoint_is_not_the_newest(short_gas, ranks, tmp_path):
 
 
 def test_missing_checkpoint_is_an_error(tmp_path):
-    """An incomplete checkpoint does not count, and no checkpoint counts without a log."""
+    """Without a log and without a complete checkpoint, there is an error."""
     (tmp_path / "checkpoint.100.restart").write_bytes(b"half")
     with pytest.raises(EngineError, match="no complete checkpoint"):
         newest_checkpoint(tmp_path)

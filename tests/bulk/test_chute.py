@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The chute in LIGGGHTS: steady flow, power of the weight, Bagnold's profile."""
+"""Flow down a chute in LIGGGHTS: steady flow, power of gravity, Bagnold's velocity profile."""
 
 from __future__ import annotations
 
@@ -29,21 +29,23 @@ def steady(flowed):
 
 def test_flow_has_bagnolds_profile_and_dissipates_the_power_of_the_weight(flowed, steady):
     assert flowed.passed
-    assert flowed.deck.derived("grains") == 2 * 5 * 4 * (9 + 1)  # the base is one cell deep
+    # A lattice cell contains two grains. The fixed base is one cell deep, the flow nine.
+    assert flowed.deck.derived("grains") == 2 * 5 * 4 * (9 + 1)
     assert steady["speed"].min() > 0.05
     work = steady[["plastic", "friction"]].iloc[-1] - steady[["plastic", "friction"]].iloc[0]
     assert (work > 0.03 * work.sum()).all()
 
 
 def test_missing_dissipation_is_noticed(flowed, steady):
-    """Without friction, the flow dissipates only a part of the power of the weight."""
+    """If friction work is missing, the check of dissipation against the power of gravity fails."""
     weight, dissipation = flowed.deck.power_checks(flowed.series, steady.assign(friction=0.0))
     assert weight.passed and not dissipation.passed
 
 
 def test_fewer_rows_widen_the_limit_of_the_weight(flowed):
-    """With rows 0.06 s apart, the trapezoidal rule has an error of 5e-3 of the work. The check
-    allows this error.
+    """The check of the work of gravity allows for the error of its integral over time.
+
+    With output rows 0.06 s apart, the trapezoidal rule has an error of 5e-3 of the work.
     """
     sparse = read_series(flowed.folder).iloc[::12].reset_index(drop=True)
     weight = flowed.deck.analyse(sparse).checks[-2]
@@ -52,14 +54,14 @@ def test_fewer_rows_widen_the_limit_of_the_weight(flowed):
 
 
 def test_flow_that_stops_is_noticed(tmp_path):
-    """Far below the angle of friction, the flow comes to rest."""
+    """A check fails if the flow stops: an incline far below the friction angle stops it."""
     settings = STEADY_FLOWS["chute"] | {"angle": 12, "duration": 1.2}
     run = run_bulk("chute", settings, tmp_path / "run", show=False)
     assert any("mean / smallest speed of the flow" in check.name for check in run.analysis.failed)
 
 
 def test_glued_base_stays(flowed):
-    """Two layers of grains, together one cell deep, stay in place while the other grains flow."""
+    """The fixed base, two layers of grains, stays in place while the other grains flow."""
     frames = read_dump(flowed.folder / "grains.dump").set_index("id")
     first, last = (frames[frames["step"] == step] for step in frames["step"].agg(["min", "max"]))
     base = last[(last[["vx", "vy", "vz"]] == 0).all(axis="columns")]

@@ -40,13 +40,14 @@ def press(pressed, tmp_path):
 
 
 def test_loop(pressed):
-    """The punch reaches the set density. Most of the densification is permanent; a part springs
-    back.
+    """The punch compacts the grains to the set relative density.
+
+    Most of the densification is permanent; a part springs back.
     """
     assert pressed.passed  # a check compares the work of the punch
     touch, peak, released = loop_of(pressed)
-    # The density changes by up to 2e-3 between two rows; one of these rows is next to the lowest
-    # point of the punch.
+    # The relative density changes by up to 2e-3 between two rows of the series, and the lowest
+    # position of the punch lies between two rows.
     assert peak == pytest.approx(0.7, abs=2e-3)
     assert released - touch > 0.05
     assert released < 0.95 * peak
@@ -91,7 +92,7 @@ def test_elastic_smooth_grains_recover(press):
 
 
 def test_wrong_force_is_noticed(pressed):
-    """An error of 1 % in the force gives an error of 1 % in the work."""
+    """A force that is wrong by 1 % fails the check of the work of the punch."""
     series = read_series(pressed.folder)
     series["force"] *= 1.01
     (check,) = pressed.deck.analyse(series).failed
@@ -106,7 +107,10 @@ def test_punch_that_stays_is_noticed(pressed):
 
 
 def test_heckels_line():
-    """The data lie on a line, which the fit reproduces."""
+    """The fit of Heckel's equation ln(1/(1 - D)) = K p + A recovers K and A from exact data.
+
+    D is the relative density and p the pressure.
+    """
     pressure = np.linspace(0, 1e5, 50)
     density = 1 - np.exp(-(0.8 + 4e-6 * pressure))
     assert heckel_line(density, pressure) == pytest.approx((4e-6, 0.8), rel=1e-9)
@@ -125,6 +129,6 @@ def test_punch_covers_the_die():
 
 
 def test_stroke_begins_at_zero(pressed):
-    """Dissipation during filling does not belong to the stroke."""
+    """Time and energies count from the start of the stroke, without the filling of the die."""
     first: pd.Series = pressed.series.iloc[0]
     assert first[["time", "plastic", "friction", "wallwork", "drift", "punch_work"]].eq(0).all()

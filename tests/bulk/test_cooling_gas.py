@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The cooling gas in LIGGGHTS: mean field, elastic limit, ranks."""
+"""A cooling granular gas in LIGGGHTS, compared with mean-field theory."""
 
 from __future__ import annotations
 
@@ -23,7 +23,8 @@ def gas(**changes) -> CoolingGas:
 def test_follows_mean_field(yielding_gas):
     """The temperature follows the mean-field theory within the limit of the deck's check.
 
-    This limit is 8 % plus four standard deviations. The gas cools by far more: by at least 60 %.
+    This limit is 8 % plus four standard deviations. The temperature falls by at least 60 %, so the
+    test would detect a gas that does not cool.
     """
     assert yielding_gas.passed
     series = yielding_gas.series
@@ -48,7 +49,10 @@ def test_viscoelastic_gas(tmp_path):
 
 
 def test_options_reach_the_theory():
-    """Options of the law change the mean loss of the theory; options of the model do not."""
+    """The mean-field theory uses the options of the law for the mean energy loss of an impact.
+
+    It ignores options of the contact model in LIGGGHTS, such as `energy_ledger`.
+    """
     deck = gas(law="stronge", options="unloading area energy_ledger on")
     assert deck.grains.options == {"unloading": "area"}
     book, area = (
@@ -60,7 +64,7 @@ def test_options_reach_the_theory():
 def test_duration_is_in_collision_times(yielding_gas):
     """The setting `duration` counts collision times of the theory at the initial temperature.
 
-    The tolerance 1e-3 covers the end of the run, which is rounded to a log line.
+    The tolerance is 1e-3, because the run ends at a whole number of log lines.
     """
     deck, series = yielding_gas.deck, yielding_gas.series
     times = series["time"].iloc[-1] * float(deck.gas().collision_rate(deck.temperature))

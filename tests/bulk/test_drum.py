@@ -22,7 +22,7 @@ from plastigran.engine.spectra import QUANTITIES, read_spectra
 
 @pytest.fixture(scope="module")
 def turned(steady_flow):
-    """A run over some turns of the bed."""
+    """A run of the drum over 0.9 revolutions, in which the flow becomes steady."""
     return steady_flow("drum")
 
 
@@ -37,7 +37,7 @@ def test_bed_leans_and_the_wall_carries_its_weight(turned):
 
 
 def test_missing_dissipation_is_noticed(turned):
-    """Without plastic work, the bed dissipates less than the work of the wall."""
+    """If plastic work is missing, the check of dissipation against the work of the wall fails."""
     steady = turned.series.query("revolutions > 0.3")
     dissipation, lever = turned.deck.power_checks(steady, steady.assign(plastic=0.0))
     assert lever.passed and not dissipation.passed
@@ -84,8 +84,10 @@ def rest(begun, tmp_path_factory) -> BulkRun:
 
 
 def test_impacts_before_a_checkpoint_are_counted_after_it(begun, rest):
-    """The tables agree, except for impacts whose energy is round-off: a continued run differs from
-    the first run by 1e-14. The figure shows every impact whose value exceeds round-off.
+    """The collision spectra of a continued run include the impacts before its checkpoint.
+
+    They equal the spectra of the uninterrupted run, except for impacts whose energy is round-off:
+    the two runs differ by 1e-14. The figure shows every impact whose value exceeds round-off.
     """
 
     def above(round_off: float, table: pd.DataFrame) -> pd.DataFrame:
@@ -106,7 +108,10 @@ def test_impacts_before_a_checkpoint_are_counted_after_it(begun, rest):
 
 
 def test_shell_turns_on_after_a_restart(begun, rest):
-    """The last frames of both runs are identical, and differ from the first frame."""
+    """The shell of the drum continues to turn after a restart.
+
+    The last frames of its mesh are identical in both runs, and differ from the first frame.
+    """
     last = begun.series["step"].iloc[-1]
     frames = [
         (folder / "frames" / f"mesh_{step}.vtk").read_bytes()

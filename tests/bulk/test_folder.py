@@ -44,8 +44,9 @@ def test_folder_contains_deck_record_and_results(whole):
 
 
 def test_frames_up_to_the_checkpoint_are_copied(tmp_path):
-    """Complete frames before the step of the checkpoint are copied; LIGGGHTS writes later ones
-    again.
+    """A continued run copies the complete frames before the step of its checkpoint.
+
+    LIGGGHTS writes the later frames again.
     """
     box = "ITEM: BOX BOUNDS ff ff ff\n" + 3 * "0 1\n"
     frames = [

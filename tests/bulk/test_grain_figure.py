@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Mean power in a moving window."""
+"""Mean power in a moving time window, for figures of bulk runs."""
 
 from __future__ import annotations
 
@@ -12,8 +12,10 @@ from plastigran.plot.grains import mean_power
 
 @pytest.mark.parametrize(("window", "rows"), [(0.4, 4), (1e-9, 1), (100.0, 25)])
 def test_mean_power_is_that_of_the_windows_middle(window, rows):
-    """The mean power of the work 3 t^2 is 6 t in the middle of any window; a window has at most a
-    quarter of the rows."""
+    """For the work W = 3 t^2, the mean power in a window is 6 t at the middle of the window.
+
+    A window contains at most a quarter of the rows.
+    """
     time = pd.Series(np.arange(100) * 0.1)
     power = mean_power(3 * time**2, time, window)
     assert len(power) == 100 - rows

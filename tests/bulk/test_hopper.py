@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The hopper in LIGGGHTS: Beverloo's law, energy balance, elastic limit, restart."""
+"""The hopper in LIGGGHTS: Beverloo's law, energy of deleted grains, steady rate, meshes."""
 
 from __future__ import annotations
 
@@ -17,8 +17,10 @@ def discharged(steady_flow):
 
 
 def test_discharge_follows_beverloo(discharged):
-    """Energy balance, number of grains and rate are within their limits. The discharge is steady:
-    its rate has an error below 5 %."""
+    """The discharge rate lies in the band of Beverloo's law, and all other checks pass.
+
+    The discharge is steady: the statistical error of its rate is below 5 %.
+    """
     assert discharged.passed and len(discharged.checks) == 5
     assert any("Beverloo" in name for name in discharged.checks["name"])
     series = discharged.series
@@ -31,8 +33,10 @@ def test_discharge_follows_beverloo(discharged):
 
 
 def test_deleted_grains_leave_the_energy_balance(discharged):
-    """A deleted grain removes its energy, counted from the height of the orifice. This energy is at
-    most that of a free fall from one orifice diameter above, as in Beverloo's law.
+    """The energy balance subtracts the energy of deleted grains. Heights count from the orifice.
+
+    A deleted grain has at most the energy of a free fall over one orifice diameter, as in the
+    derivation of Beverloo's law.
     """
     series, deck = discharged.series, discharged.deck
     gone = series["atoms"].iloc[0] - series["atoms"].iloc[-1]
@@ -42,8 +46,10 @@ def test_deleted_grains_leave_the_energy_balance(discharged):
 
 
 def test_a_rate_that_falls_is_noticed(discharged):
-    """The discharge is 1.6 times as fast for about half of the steady part; its mean rate is still
-    in Beverloo's band."""
+    """A check fails if the discharge rate falls, even if its mean follows Beverloo's law.
+
+    In the test, the discharge is 1.6 times as fast in about the first half of the steady part.
+    """
     series = discharged.series
     time, counted = series["time"], series["counted"]
     turn = time[counted < 0.37 * series["atoms"].iloc[0]].iloc[-1]

@@ -35,8 +35,10 @@ def test_surface_has_two_openings_only(size):
 
 @pytest.mark.parametrize("size", make_hopper.ORIFICES)
 def test_facets_are_smooth_for_liggghts(size):
-    """Contact history passes between facets whose angle is below `curvature`. Otherwise, a yielding
-    grain on their edge creates energy. The corners of all triangles have larger angles.
+    """The mesh option `curvature` is large enough to make the hopper a smooth surface in LIGGGHTS.
+
+    Contact history passes between facets whose angle is below `curvature` [degrees]. Otherwise, a
+    yielding grain on their edge creates energy. The corners of all triangles have larger angles.
     """
     deck = (PROJECT / "inputs" / "bulk" / "hopper" / "walls_liggghts.in").read_text()
     curvature = float(re.search(r"hopper_\S+ .* curvature (\S+)", deck)[1])

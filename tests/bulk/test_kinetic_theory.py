@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Mean-field cooling, compared with closed forms."""
+"""Mean-field theory of a cooling granular gas, compared with closed-form solutions."""
 
 from __future__ import annotations
 
@@ -53,17 +53,20 @@ def test_elastic_gas_keeps_its_energy():
 
 @pytest.mark.parametrize("temperature", [10.0, 1.0, 0.1, 0.02])
 def test_loss_of_a_yielding_gas(temperature):
-    """The loss is exp(-1/(4T))/2, within a relative error of 1e-5: the kink at the yield speed lies
-    between two quadrature nodes."""
+    """The mean loss of impacts with the restitution of `yielding` is exp(-1/(4T))/2.
+
+    The relative tolerance is 1e-5: the kink at the yield speed lies between two quadrature nodes.
+    """
     gas = Gas(RADIUS, 0.1, yielding, 1000)
     assert gas.loss(temperature) == pytest.approx(0.5 * exp(-1 / (4 * temperature)), rel=1e-5)
 
 
 def test_yielding_gas_stalls():
-    """Impacts that dissipate are exponentially few: T falls with the logarithm of time.
+    """A gas with elastic impacts below the yield speed almost stops cooling.
 
-    x = 1/(4T) grows at a rate of x^(1/2) exp(-x), so x - ln(x)/2 grows as ln t. The tolerance, 2 %
-    of this growth, covers the next term, 1/x.
+    The fraction of impacts above the yield speed decreases exponentially. x = 1/(4T) grows at a
+    rate of x^(1/2) exp(-x), so x - ln(x)/2 grows as ln t. The tolerance, 2 % of this growth, covers
+    the next term of the expansion, 1/x.
     """
     gas = Gas(RADIUS, 0.1, yielding, 1000)
     early, late = 1 / (4 * cool(gas, 10.0, [0.0, 1.0, 1e4])["temperature"].iloc[1:])
@@ -83,19 +86,22 @@ def test_collision_rate_in_the_dilute_limit():
 
 
 def test_contact_value_has_the_hard_spheres_virial_coefficients():
-    """The contact value is 1 + 2.5 phi + 4.5 phi^2. Carnahan and Starling round the coefficient
-    4.5904 of hard spheres to 4.5."""
+    """The pair correlation at contact agrees with the virial series 1 + 2.5 phi + 4.5 phi^2.
+
+    phi is the volume fraction. Carnahan and Starling's formula rounds the coefficient 4.5904 of
+    hard spheres to 4.5.
+    """
     phi = 1e-3
     assert contact_value(phi) == pytest.approx(1 + 2.5 * phi + 4.5 * phi**2, abs=1e-8)
 
 
 def test_statistical_error_goes_with_the_number_of_grains():
-    """Four times as many grains halve the error. At first, the error is that of a sum of
-    independent losses.
+    """Four times as many grains halve the statistical error of the temperature.
 
-    For e = 0, an impact removes m T l of the energy 3/2 N m T. The number l is exponentially
-    distributed with mean 1, so its mean square is 2. After x impacts per grain, N x/2 in total,
-    the relative variance is N x/2 · 2 (2/(3N))^2 = 4x/(9N).
+    After few impacts, this error is that of a sum of independent energy losses. For e = 0, an
+    impact removes m T l of the energy 3/2 N m T of N grains of mass m. The number l is
+    exponentially distributed with mean 1, so its mean square is 2. After x impacts per grain, N x/2
+    in total, the relative variance is N x/2 · 2 (2/(3N))^2 = 4x/(9N).
     """
     times = np.linspace(0, 1, 5) * 1e-5
     errors = [

@@ -17,7 +17,7 @@ SCRIPTS = sorted(FOLDER.glob("make_*.py"))
 
 @pytest.fixture
 def elsewhere(tmp_path):
-    """Folder with the scripts, without meshes."""
+    """Copy of the folder with the scripts that create meshes, without the meshes."""
     without = shutil.ignore_patterns("*.stl")
     return shutil.copytree(inputs_folder(), tmp_path / "inputs", ignore=without) / "meshes"
 

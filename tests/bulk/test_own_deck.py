@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Users' input scripts that contain nothing of this package: where they run, stop and continue."""
+"""Runs of users' input scripts: folders, copies of their files, interruption and continuation."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ CANNOT_CONTINUE = (
 
 
 def write_plain(deck: Path, *replacements: tuple[str, str], head: str = "") -> None:
-    """Write the plain deck with replaced texts and with `head` as its first lines."""
+    """Write the deck `PLAIN` with replaced texts and with `head` as its first lines."""
     text = PLAIN
     for old, new in replacements:
         assert old in text
@@ -38,8 +38,9 @@ def write_plain(deck: Path, *replacements: tuple[str, str], head: str = "") -> N
 
 
 def test_plain_deck_runs_in_its_folder(plain, tmp_path, monkeypatch, capsys):
-    """LIGGGHTS finds includes and meshes from any current folder. The time follows from the command
-    `timestep`.
+    """A user's deck runs in its own folder, so LIGGGHTS finds its include files and meshes.
+
+    If the log has no time, it follows from the command `timestep`.
     """
     monkeypatch.chdir(tmp_path)
     assert main(["bulk", str(plain)]) == 0
@@ -177,7 +178,10 @@ def test_readmes_deck_has_the_energies_of_the_readme(tmp_path):
 
 
 def test_plain_deck_cannot_continue(plain, tmp_path):
-    """Restart files with other names are not used. The message states what the deck needs."""
+    """A deck without the settings `start` and `checkpoint` cannot continue.
+
+    Restart files with other names are not used. The message states what the deck needs.
+    """
     write_plain(plain, ("run 1000", "restart 500 mine.*\nrun 1000"))
     run_bulk(plain, {}, tmp_path / "run", show=False)
     assert (plain.parent / "mine.500").exists()
@@ -190,7 +194,7 @@ def test_plain_deck_cannot_continue(plain, tmp_path):
 
 
 def test_deck_without_checkpoints_cannot_continue(plain, tmp_path):
-    """The deck has the settings, but no `restart` command for checkpoints."""
+    """A deck cannot continue if it has the settings for it, but no `restart` command."""
     write_plain(plain, head=START)
     run_bulk(plain, {}, tmp_path / "run", show=False)
     message = r"no complete checkpoint .*: .*`restart` .* \$\{output\}/checkpoint\.\*\.restart"
@@ -253,8 +257,10 @@ def test_misspelt_law_is_refused(plain, tmp_path):
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_overlapping_spheres_pass_the_checks(ranks, tmp_path):
-    """The spheres overlap beyond yield at the start, so they move; plastic work does not
-    decrease."""
+    """A run whose spheres overlap beyond yield at the start passes the checks.
+
+    Its plastic work starts above zero and does not decrease; the spheres push each other apart.
+    """
     deck = tmp_path / "overlap.in"
     deck.write_text(
         (PROJECT / "tests" / "ledger" / "decks" / "set_types.in")

@@ -21,7 +21,10 @@ AFTER_CLEAR = table(f"Time {ENERGIES}", "0 0 2 0 0 0 0 0", "20 2e-5 1 0 1 0 0 0"
 
 
 def test_runs_that_restart_the_step_count_are_all_kept(plain, tmp_path):
-    """The series has all runs, also if steps repeat; consecutive runs share one row."""
+    """The series has the rows of every `run` command, also if `reset_timestep` repeats steps.
+
+    The last row of a run is the first row of the next run if the step count continues.
+    """
     text = PLAIN.replace("run 500", "run 200\nreset_timestep 0\nrun 500")
     plain.write_text(text, encoding="latin-1")
     series = run_bulk(plain, {}, tmp_path / "run", show=False).series
@@ -67,7 +70,10 @@ def test_continued_run_belongs_to_the_last_simulation(tmp_path):
 
 @pytest.mark.parametrize("columns", ["", "dt", "time"])
 def test_time_accumulates_over_runs(columns, plain, tmp_path):
-    """Time steps change and the step count restarts; time comes from columns or from commands."""
+    """The time accumulates over runs with different time steps and after `reset_timestep`.
+
+    It comes from a log column (`dt` or `time`) or from the `timestep` commands in the log.
+    """
     runs = """
     timestep 1e-6   # s
     run 200
@@ -131,7 +137,10 @@ def test_time_of_a_continued_run(log, before, times, tmp_path):
 
 
 def test_later_line_of_a_step_adds_columns(tmp_path):
-    """A deck may change its columns between two runs; common columns have the earlier values."""
+    """If a deck changes its log columns between two runs, the row of their common step has both.
+
+    A column of both runs keeps the value of the earlier run.
+    """
     log = table("Atoms", "0 5") + table("Atoms KinEng", "0 6 2", "10 6 3")
     series = pg.open(finished_run(tmp_path / "run", log)).series
     assert series["atoms"].tolist() == [5, 6] and series["kinetic_energy"].tolist() == [2, 3]

@@ -11,7 +11,10 @@ from plastigran.bulk.packing import random_packing
 
 
 def in_cube(side):
-    """Return functions that start and confine spheres of radius 1 in a cube."""
+    """Return two functions for 400 spheres of radius 1 in a cube.
+
+    One draws random centers; the other moves centers so that the spheres are inside the cube.
+    """
     return (
         lambda random: random.uniform(0, side, (400, 3)),
         lambda places: np.clip(places, 1, side - 1),

@@ -74,7 +74,10 @@ def test_a_run_far_beyond_the_range_fails(tmp_path, capsys):
 
 
 def test_the_range_is_that_of_all_runs_and_simulations():
-    """The excess of a law is the largest one in all runs of the log, also in continued runs."""
+    """The excess of a law is the largest value that the log reports in any of its runs.
+
+    The excess is the largest overlap divided by the largest valid overlap of the law.
+    """
     lines = "plastigran range universal contacts=1 furthest={}\n"
     text = (
         lines.format(30) + lines.format(1.2) + "plastigran range thornton contacts=2 furthest=3\n"

@@ -23,7 +23,7 @@ from plastigran.engine.process import engines
 from plastigran.materials import read_material, write_material
 from plastigran.plot import style
 
-#: A run that lasts long enough to be stopped.
+#: Settings of a run that lasts long enough to be stopped.
 LONG = SHORT_GAS | {"duration": 20000, "rows": 20000, "checkpoints": 5000}
 
 
@@ -87,7 +87,7 @@ def test_run_continues_after_a_kill_of_liggghts(start, tmp_path):
     assert not engines(tmp_path / "run")
     before = read_series(tmp_path / "run")
     checkpoint = newest_checkpoint(tmp_path / "run")
-    # Settings for the end of the run may change: run for two more lines.
+    # A continued run may change the settings that determine its end. It adds two log lines.
     lines = int(before["step"].iloc[1])
     rows = step_of(checkpoint) // lines + 2
     values = {"duration": rows, "rows": rows, "checkpoints": 1}
@@ -120,7 +120,10 @@ def test_continuing_a_finished_run_computes_nothing(short_gas, tmp_path, capsys)
 def test_run_killed_before_its_first_checkpoint_continues_from_its_start(
     short_gas, cut_log, tmp_path
 ):
-    """A run that is stopped twice continues from its start; nothing of its first part is lost."""
+    """A continued run that was killed before its own first checkpoint can continue again.
+
+    It starts from the checkpoint of the first run, and the series is complete.
+    """
     first = cut_log(lines=8)
     second = tmp_path / "second"
     run_bulk("cooling_gas", {}, second, restart=first, show=False)
@@ -133,7 +136,10 @@ def test_run_killed_before_its_first_checkpoint_continues_from_its_start(
 
 
 def test_folder_is_locked_until_figures_are_written(tmp_path, monkeypatch):
-    """A second run with `force` is refused, and deletes nothing."""
+    """A second run into the folder is refused, even with `force`, until the figures are written.
+
+    The refused run deletes nothing.
+    """
     refused = []
 
     def save(figure, path, *arguments):
@@ -203,7 +209,7 @@ def test_continuing_in_the_same_folder_is_refused(short_gas):
 
 
 def test_progress_is_read_from_whole_lines_only(tmp_path):
-    """The second of two runs ends with `upto`; an incomplete line does not count."""
+    """Progress counts the steps in complete log lines of two runs; the second one uses `upto`."""
     log, follower = tmp_path / "log", LogFollower(tmp_path / "log")
     assert follower.read().run == 0
     with open(log, "w") as file:

@@ -20,7 +20,7 @@ ONE_ROW = {"duration": 0.001, "rows": 1, "checkpoints": 1}
 
 
 def test_template_runs_and_continues(tmp_path, capsys):
-    """A continued run equals an uninterrupted one."""
+    """The deck of `new-deck` runs, and a continued run equals an uninterrupted one."""
     folder = tmp_path / "mine"
     assert main(["new-deck", str(folder), "--law", "kogut_etsion"]) == 0
     capsys.readouterr()
@@ -74,7 +74,7 @@ def test_time_step_is_the_recommended_one_for_the_radius(radius, tmp_path):
 
 
 def test_template_takes_all_constants_of_the_material(tmp_path):
-    """The log states the constants of the contact."""
+    """The deck uses all constants of the material file: the log of LIGGGHTS states them."""
     material = tmp_path / "rated.in"
     material.write_text(
         "variable youngs_modulus index 5e6\nvariable poissons_ratio index 0.3\n"

@@ -21,7 +21,7 @@ from plastigran.bulk.series import read_series
 
 @pytest.fixture(scope="module")
 def test_run(brief_run) -> BulkRun:
-    """Seventy-two grains with adhesion."""
+    """Uniaxial test of 72 adhesive grains."""
     return brief_run("uniaxial_test")
 
 
@@ -58,8 +58,9 @@ def test_without_adhesion_there_is_no_strength(test_run, other):
 
 
 def test_consolidation_strengthens(test_run, other):
-    """At four times the stress, porosity falls and strength rises by more than the scatter between
-    seeds.
+    """At four times the consolidation stress, porosity is lower and strength is higher.
+
+    Both changes exceed the scatter between random seeds.
     """
     weak, strong = strength_of(test_run), strength_of(other(consolidation_stress=2e4))
     assert strong.porosity < weak.porosity - 0.02
@@ -82,7 +83,7 @@ def test_short_strain_is_noted(test_run):
 
 
 def test_sample_that_stays_loaded_is_noted(test_run):
-    """With a stress that never falls, there is no strength, and a check fails."""
+    """If the stress never falls, no strength is measured, a note says so, and a check fails."""
     series = read_series(test_run.folder)
     series["force"] += series["force"].max()
     analysis = test_run.deck.analyse(series)
@@ -91,7 +92,10 @@ def test_sample_that_stays_loaded_is_noted(test_run):
 
 
 def test_measurement_of_a_known_test():
-    """The platen goes down by 2, up by 1, waits, and goes down by 1 on a sample of height 9."""
+    """Heights, work and strength of a synthetic test equal their known values.
+
+    The platen goes down by 2, up by 1, waits, and goes down by 1 on a sample of height 9.
+    """
     table = pd.DataFrame(
         {
             "step": range(9),

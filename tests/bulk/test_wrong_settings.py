@@ -66,7 +66,7 @@ def test_impossible_settings_are_refused(deck, change, message):
     ],
 )
 def test_checks_fail_for_other_settings(deck, change, check, steady_flow, brief_run):
-    """The run is analysed as if it had these settings."""
+    """A check fails if the analysis uses another strength, gravity or geometry than the run."""
     label = "plate" if deck == "bed_impact" else ""
     run = steady_flow(deck) if deck in STEADY_FLOWS else brief_run(deck, label)
     failed = attrs.evolve(run.deck, **change).analyse(read_series(run.folder)).failed

@@ -27,7 +27,7 @@ def drops(tmp_path):
 
 @pytest.fixture
 def coarse(monkeypatch, tmp_path):
-    """Finite elements that take a second or two, with a cache in a temporary folder."""
+    """Use coarse finite elements that take a second or two, with a cache in a temporary folder."""
     monkeypatch.setenv("PLASTIGRAN_CACHE", str(tmp_path / "cache"))
     coarse = partial(Settings, divisions=3, fineness=0.5)
     monkeypatch.setattr("plastigran.calibration.finite_elements.Settings", coarse)
@@ -70,7 +70,10 @@ def test_drops_have_a_figure(capsys, tmp_path, drops):
 
 
 def test_materials_of_ball_and_plate(capsys, drops):
-    """The weaker body of ball and plate yields. The yield speed belongs to these bodies."""
+    """`--ball` and `--plate` set the materials of a drop test; the weaker body yields.
+
+    The yield speed v_Y is that of this pair of bodies.
+    """
     found = {}
     for bodies in (["--plate", "metal"], ["--ball", "alumina"], ["--plate", "alumina"], []):
         line = [*STEEL, "--drop", str(drops), "--law", "thornton", *bodies, "--json"]
@@ -98,8 +101,8 @@ def test_finite_elements_fit_the_constants_and_have_a_figure(capsys, tmp_path, c
     figure = tmp_path / "fem.png"
     assert main([*line, "--law", "thornton", "--figure", str(figure), "--json"]) == 0
     numbers = json.loads(capsys.readouterr().out)
-    # Reference: fine elements. Coarse elements have an error of 5 % in contact radius, and K_c
-    # contains its square.
+    # The reference values are from fine elements. Coarse elements have an error of 5 % in the
+    # contact radius, and the curvature coefficient depends on its square.
     assert numbers["contact_radius_coefficient"] == pytest.approx(0.025534, rel=0.05)
     assert numbers["curvature_coefficient"] == pytest.approx(0.010643, rel=0.10)
     assert numbers["force_max"] == pytest.approx(41 * numbers["yield_force"], rel=1e-6)

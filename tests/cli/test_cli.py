@@ -90,7 +90,7 @@ def test_a_command_loads_only_its_module():
 
 
 def test_modes(capsys):
-    """The fundamental modes of the sphere of docs/elastic_sphere.md."""
+    """`modes` prints the fundamental modes of the ice sphere of docs/elastic_sphere.md."""
     assert main(["modes", "--material", "ice", "--radius", "0.01", "--degree", "2"]) == 0
     lines = [line.split() for line in capsys.readouterr().out.splitlines()]
     assert lines[1][:3] == ["toroidal", "2", "0"]

@@ -33,7 +33,7 @@ def cache_of_its_own(tmp_path, monkeypatch):
 
 @pytest.fixture
 def coarse(monkeypatch):
-    """Settings that take a second or two."""
+    """Use coarse finite elements; a computation takes a second or two."""
     monkeypatch.setattr("plastigran.cli.metal.Settings", partial(Settings, **FEW))
 
 
@@ -42,8 +42,8 @@ def test_press_below_yield_says_so_and_gives_everything_back(capsys):
     printed = capsys.readouterr()
     assert "is below the yield force" in printed.err
     (unloading,) = json.loads(printed.out)["unloadings"]
-    # The tolerance covers the quadrature of the work: below yield, a load step is 40 % of the
-    # force.
+    # The tolerance covers the error of the integrated work: below yield, a load step is 40 % of the
+    # largest force.
     assert unloading["coefficient_of_restitution"] == pytest.approx(1, abs=5e-3)
 
 
@@ -117,7 +117,8 @@ def test_a_cylinder_strikes_a_body(capsys):
         main(["fem", "cylinder", *GLASS, "--elastic", *CYLINDER, "--speed", "0.1", "--json"]) == 0
     )
     numbers = json.loads(capsys.readouterr().out)
-    # Waves in the body, which is hundreds of times lighter, reduce the rebound speed by 1e-3.
+    # Waves in the struck body reduce the rebound speed by 1e-3. The body is hundreds of times
+    # lighter than the cylinder.
     assert numbers["coefficient_of_restitution"] == pytest.approx(1, abs=5e-3)
     assert len(numbers["history"]["force"]) > 100
 

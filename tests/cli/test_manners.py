@@ -128,7 +128,8 @@ def test_dry_runs_print_commands_and_write_nothing(tmp_path, capsys):
     line = ["--output", str(folder), "--dry-run"]
     assert main(["bulk", "cooling_gas", "--ranks", "2", "-v", "side=4", *line]) == 0
     place, typed, _ = capsys.readouterr().out.splitlines()
-    # If the path of the inputs has a space, a command between `mkdir` and `cd` links to them.
+    # If the path of the input scripts has a space, a command between `mkdir` and `cd` creates a
+    # link to them.
     steps = shlex.split(place)
     assert steps[:4] == ["mkdir", "-p", str(folder), "&&"]
     assert steps[-2:] == ["cd", str(folder)]
@@ -144,7 +145,7 @@ def test_dry_runs_print_commands_and_write_nothing(tmp_path, capsys):
 
 
 def test_a_limit_of_file_sizes_names_the_folder(tmp_path, capsys):
-    """Python's own error message does not contain the file."""
+    """The message for a file above the size limit names the folder; Python's own names no file."""
     output = tmp_path / "out"
     line = ["impact", "--law", "thornton", "--theory", "--speed", "1", "--output", str(output)]
     limits = resource.getrlimit(resource.RLIMIT_FSIZE)
@@ -201,7 +202,7 @@ def test_bash_completes(capsys):
 
 
 def test_doctor_runs_an_impact(capsys):
-    """`doctor` runs the impact on one rank and on two, if all parts are installed."""
+    """`doctor` runs its test impact on one MPI rank and on two, if all parts are installed."""
     assert main(["doctor", "--json"]) == 0
     found = {row["name"]: row for row in json.loads(capsys.readouterr().out)}
     assert {found[name]["state"] for name in ("engine", "plugin", "impact", "MPI")} == {"ok"}

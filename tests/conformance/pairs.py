@@ -19,7 +19,7 @@ PAIRS = {
 
 
 def scales(law_name: str, pair: laws.MaterialPair) -> tuple[float, float]:
-    """Return overlap and force at first yield of spheres or cylinders."""
+    """Return overlap [m] and force [N] at first yield of spheres or cylinders."""
     if laws.LAWS[law_name].shape == "cylinder":
         force, overlap, _ = central.line_yield(pair, RADIUS, LENGTH, LENGTH)
         return overlap, force

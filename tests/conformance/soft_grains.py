@@ -14,7 +14,7 @@ SETTINGS = """
 variable inputs index inputs
 variable output index .
 """
-#: Box of new grains; two ranks divide it along x.
+#: Commands that create the simulation box; two ranks divide it along x.
 BOX = """
 processors      {grid} 1
 units           si

@@ -189,9 +189,10 @@ def test_a_stretched_contact_outlives_restarts_ranks_and_rebuilds(
     ("law", "mesh"), [(law, None) for law in CONSTANTS] + [(law, PLATE) for law in STRETCHED]
 )
 def test_the_energy_balance_closes_at_a_wall(law, mesh, tmp_path):
-    """The ten impacts are below and above the sticking speed. The balance error is below 2e-3 of
-    the initial kinetic energy. The error is of first order in the time step, because the force
-    jumps where contacts form and break.
+    """The energy balance closes for ten adhesive impacts below and above the sticking speed.
+
+    The balance error is below 2e-3 of the initial kinetic energy. The error is of first order in
+    the time step, because the force jumps where contacts form and break.
     """
     bodies, timestep = ten_impacts(law)
     steps = int(60e-9 / timestep)
@@ -211,9 +212,11 @@ def test_the_energy_balance_closes_at_a_wall(law, mesh, tmp_path):
 @pytest.mark.parametrize("tangential", ["history", "partial_slip", "incremental"])
 @pytest.mark.parametrize("law", STRETCHED)
 def test_the_energy_balance_closes_for_pairs(law, tangential, damping, ranks, tmp_path):
-    """Grains collide obliquely, with friction, on the border of two ranks. The balance error is
-    below 2e-3 of the initial kinetic energy, as for walls. The friction work is small, but larger
-    than this error.
+    """The energy balance closes for oblique adhesive impacts of grain pairs with friction.
+
+    On two ranks, the contacts lie on the border between the ranks. The balance error is below 2e-3
+    of the initial kinetic energy, as for walls. The friction work is small, but larger than this
+    error.
     """
     bodies = []
     for k, speed in enumerate((0.5, 2.0)):
@@ -244,7 +247,10 @@ def test_the_energy_balance_closes_for_pairs(law, tangential, damping, ranks, tm
 
 
 def test_friction_is_limited_by_force_and_pull_off_force(tmp_path):
-    """A grain without normal load slides at mu F_c, because |T| <= mu (F + F_c)."""
+    """The friction force |T| is at most mu (F + F_c), with normal force F and pull-off force F_c.
+
+    A grain with F near zero therefore slides at about mu F_c.
+    """
     law = law_of("jkr")
     commands = "unfix motion\ngroup mover id 1\nfix slide mover move linear 0 1 0\nrun 2000"
     step = 1e-12

@@ -134,7 +134,10 @@ AT_THE_SIDE = {
 
 @pytest.mark.parametrize("geometry", GEOMETRIES)
 def test_a_stretched_contact_outlives_other_grains(geometry, tmp_path):
-    """Other grains are deleted and created between runs, which changes the atom IDs."""
+    """A stretched contact keeps its force when other grains are deleted and created between runs.
+
+    Both change the atom IDs.
+    """
     bodies, variables = GEOMETRIES[geometry]
     others = [sphere(-2e-5, (k - 1.5) * 3 * RADIUS, 0) for k in range(4)]
     commands = (
@@ -153,8 +156,9 @@ def test_a_stretched_contact_outlives_other_grains(geometry, tmp_path):
 
 @pytest.mark.parametrize("geometry", GEOMETRIES)
 def test_a_stretched_grain_can_be_deleted(geometry, tmp_path):
-    """A new grain at the same place starts without history: it overlaps nothing and has no
-    force.
+    """The history of a stretched contact ends when its grain is deleted.
+
+    A new grain at the same place overlaps nothing, so it has no force.
     """
     bodies, variables = GEOMETRIES[geometry]
     spot = np.array([-RADIUS if geometry != "pair" else -3e-6 - 2 * RADIUS, 0, 0])
@@ -176,8 +180,9 @@ def test_a_stretched_grain_can_be_deleted(geometry, tmp_path):
 @pytest.mark.parametrize("ranks", [1, 2])
 @pytest.mark.parametrize("geometry", AT_THE_SIDE)
 def test_a_stretched_contact_crosses_a_periodic_side(geometry, ranks, tmp_path):
-    """A restart file is written before the grain crosses the side. The force does not change beyond
-    round-off.
+    """A stretched contact keeps its force, to round-off, when its grain crosses a periodic side.
+
+    The same holds for a run that continues from a restart file written before the crossing.
     """
     bodies, variables = AT_THE_SIDE[geometry]
     axis = "x" if geometry == "pair" else "y"
@@ -218,8 +223,10 @@ def strips(count: int) -> np.ndarray:
 @pytest.mark.parametrize("law", STRETCHED)
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_a_grain_that_sticks_to_triangles_moves_as_on_a_plane(law, ranks, tmp_path):
-    """The impact is oblique, with friction and below the sticking speed; the grain crosses edges
-    and a border of ranks. Each column agrees to 1e-9 of its largest value, because sums have
+    """A grain that hits a mesh and sticks to it moves as on a primitive plane.
+
+    The impact is oblique, with friction and below the sticking speed; the grain crosses edges
+    and a border between ranks. Each column agrees to 1e-9 of its largest value, because sums have
     another order.
     """
     bodies = [sphere(-RADIUS - 1e-9, -8e-7, 0.3) + "set atom 1 vy 12\n"]
@@ -259,11 +266,12 @@ def test_a_plate_pulls_on_a_grain(law, tmp_path):
 
 
 def test_a_moving_plate_takes_light_grains_along(tmp_path):
-    """The plate starts at the speed at which a grain of 1350 kg/m^3 just separates from it.
+    """A moving adhesive plate carries a light grain along, and separates from a heavy one.
 
-    In the frame of the plate, a grain with 0.8 times this density has too little energy to break
-    the contact; one with 1.25 times has enough. The tolerances are 1e-3 of the speed and 2e-3 of
-    the energy, because the force jumps where the contact breaks.
+    The plate starts at the speed at which a grain of 1350 kg/m^3 just separates from it. In the
+    frame of the plate, a grain with 0.8 times this density has too little energy to break the
+    contact; one with 1.25 times this density has enough. The tolerances are 1e-3 of the speed and
+    2e-3 of the energy, because the force jumps where the contact breaks.
     """
     law = law_of("jkr")
     overlap = np.linspace(-law.pull_off_distance(RADIUS), 1e-8, 100_001)
@@ -292,9 +300,11 @@ def test_a_moving_plate_takes_light_grains_along(tmp_path):
 
 
 def test_a_box_of_triangles_is_a_box_of_planes(tmp_path):
-    """Grains hit faces, edges and corners of a box from inside, below and above the sticking speed.
-    On two ranks, the triangles give the forces of six primitive planes. Each column agrees to 1e-6
-    of its largest value: round-off of sums in another order grows at each impact.
+    """A box of triangles on two ranks gives the same forces as a box of six primitive planes.
+
+    Adhesive grains hit faces, edges and corners of the box from inside, below and above the
+    sticking speed. Each column agrees to 1e-6 of its largest value: sums have another order, and
+    this round-off grows at each impact.
     """
     wall, random = 5.2e-5, np.random.default_rng(3)
     bodies = []

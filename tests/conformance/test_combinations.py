@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Laws combined with LIGGGHTS' models of cohesion, rolling and tangential friction, and surface."""
+"""Laws combined with models of cohesion, of rolling and tangential friction, and of the surface."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ from soft_grains import (
 from plastigran.engine.log import read_thermo
 from plastigran.engine.process import EngineError
 
-#: Each contact lasts some 300 steps. Two spinning grains collide obliquely on the border between
-#: ranks. One grain hits the floor, one hits the plate, and one lies on another.
+#: Grains of all tests. Two spinning grains collide obliquely on the border between ranks. One grain
+#: hits the floor, one hits the plate, and one lies on another. Each contact lasts some 300 steps.
 GRAINS = """
 create_atoms    1 single -0.0102 0.001 0.03
 create_atoms    1 single 0.0102 -0.001 0.03
@@ -85,13 +85,13 @@ include ${inputs}/energy_ledger.in
 
 @frozen
 class Contact:
-    """Models and options of a line in addition to the normal model.
+    """Contact models and options of the lines pair_style and fix wall/gran.
 
     Attributes:
-        models: Words after the normal model.
+        models: Words after the normal model, such as `tangential history`.
         law: Normal model.
-        at_walls: Words after the normal model on wall lines, if they differ.
-        options: Words at the end of the line.
+        at_walls: Words after the normal model on fix wall/gran lines, if they differ.
+        options: Words at the end of both lines.
         more: Commands after the walls.
     """
 
@@ -193,8 +193,10 @@ def test_an_unyielding_law_is_the_engines_hertz(contact, tmp_path):
 
 @every_contact
 def test_two_ranks_are_one(contact, tmp_path):
-    """The grains yield, and the contact of grains 1 and 2 lies on the border of the ranks. The
-    motion agrees to 1e-9 of its largest value, because round-off grows during impacts.
+    """Yielding grains move alike on one rank and on two, with every combination of models.
+
+    The contact of grains 1 and 2 lies on the border between the ranks. The motion agrees to 1e-9 of
+    its largest value, because round-off grows during impacts.
     """
     one, two = (start(deck(contact), tmp_path / str(ranks), ranks) for ranks in (1, 2))
     assert_alike(one, two, 1e-9)
@@ -237,9 +239,9 @@ communicate     single vel yes
 def test_contacts_remember_when_grains_come(name, ranks, tmp_path):
     """A distant grain that is created between two runs does not change the motion of the others.
 
-    The motion is bitwise identical, so the contacts keep their history.
-
-    On two ranks, LIGGGHTS' hertz itself loses liquid, and it crashes with multicontact.
+    The motion is bitwise identical, so the contacts keep their history. The liquid model and
+    multicontact are tested on one rank: on two, LIGGGHTS' own hertz loses liquid, and it crashes
+    with multicontact.
     """
     half = f"run {STEPS // 2}\n"
     come = "create_atoms 1 single 0.07 0.03 0.07\nset atom 7 diameter 0.01 density 2500\n"
@@ -254,8 +256,10 @@ def test_contacts_remember_when_grains_come(name, ranks, tmp_path):
 
 @pytest.mark.parametrize("name", ["sjkr", "sjkr2", "sjkr alone", "sjkr and epsd", *SLIPPING])
 def test_the_ledger_closes(name, tmp_path):
-    """The balance error is below 3e-4 of the largest kinetic energy, an error of the time
-    integration. The work of cohesion during approach counts as negative elastic energy.
+    """The energy balance closes with cohesion models and with the tangential laws of this project.
+
+    The balance error, from the time integration, is below 3e-4 of the largest kinetic energy. The
+    work of cohesion during approach counts as negative elastic energy.
     """
     start(deck(ALL[name], ledger=True), tmp_path)
     table = read_thermo(tmp_path / "log.liggghts")
@@ -308,9 +312,7 @@ def test_hertz_beside_a_tangential_law_refuses_what_it_cannot_do(tmp_path):
     ],
 )
 def test_what_is_not_counted_is_refused(name, said, tmp_path):
-    """The energy balance and the fixes that count contacts refuse models whose work they do not
-    count.
-    """
+    """The energy balance and fix `collision_spectra` refuse models whose work they do not count."""
     with pytest.raises(EngineError, match=f"energy_ledger on: {said}"):
         start(deck(CONTACTS[name], ledger=True), tmp_path / "ledger")
     counting = "fix counting all collision_spectra 10 file spectra.csv\n"
@@ -326,10 +328,11 @@ def test_what_is_not_counted_is_refused(name, said, tmp_path):
     ],
 )
 def test_ludings_friction_is_that_of_no_adhesion(luding, same, tmp_path):
-    """Luding's friction with ratios of one and without adhesion equals LIGGGHTS' `history` model.
+    """Without adhesion, Luding's friction models equal LIGGGHTS' `history` and `epsd2`.
 
-    With rolling friction, it equals `history` and `epsd2`. The motions agree to 1e-12 of the
-    largest value, because the order of multiplications differs.
+    The coefficients that only Luding's models use are one; their rolling damping is zero. The model
+    `tan_luding` then equals `history`, and rolling friction `luding` equals `epsd2`. The motions
+    agree to 1e-12 of the largest value, because the order of multiplications differs.
     """
     theirs = start(deck(LUDING[luding], damping="0 0 0 0"), tmp_path / "luding")
     other = start(deck(same), tmp_path / "same")

@@ -11,8 +11,10 @@ from plastigran.declared import declarations
 
 
 def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
-    """Run a test with `case` for every short run, and with `field` for every declared setting
-    that does not accept every text."""
+    """Run a test that has the argument `case` for the short run of every deck.
+
+    A test that also has `field` runs for every declared setting, except those that accept any text.
+    """
     if "field" in metafunc.fixturenames:
         pairs = [
             pytest.param(case, field, id=f"{case.name}-{case.label}-{field}")

@@ -39,7 +39,7 @@ def test_run_leaves_series_checks_figures_and_frames(case, whole):
 
 
 def test_run_is_read_again_without_inputs(case, whole, tmp_path, monkeypatch):
-    """A moved run gives bitwise identical results."""
+    """A moved folder of a run gives bitwise identical results, also without the input scripts."""
     shutil.copytree(whole.folder, tmp_path / "moved")
     monkeypatch.setenv("PLASTIGRAN_INPUTS", str(tmp_path / "none"))
     moved = open_run(tmp_path / "moved")
@@ -56,7 +56,10 @@ def test_energy_balance_closes_and_grains_are_counted(whole):
 
 
 def test_failed_checks_keep_the_analysis(case, whole):
-    """A large balance error and a lost grain in the last row fail, and figures are drawn."""
+    """If the last row has a large balance error and one grain too few, two checks fail.
+
+    The analysis still returns its series and draws its figures.
+    """
     series = read_series(whole.folder)
     grown = np.arange(len(series)) == len(series) - 1  # the first row may be zero
     allowed = whole.deck.ledger_limit(whole.series) * energy_input(whole.series)
@@ -69,7 +72,10 @@ def test_failed_checks_keep_the_analysis(case, whole):
 
 
 def test_killed_run_has_its_rows(whole, tmp_path):
-    """Without its last lines and results, the run has no checks and does not pass."""
+    """A killed run keeps the rows of its log, but it has no checks and does not pass.
+
+    The test removes the last log lines and the files with results.
+    """
     shutil.copytree(whole.folder, tmp_path / "killed")
     for name in ("series.csv", "checks.csv"):
         (tmp_path / "killed" / name).unlink()
@@ -111,8 +117,11 @@ def test_restart_continues(case, whole, tmp_path):
 
 
 def test_ranks_agree_on_the_first_impacts(case, tmp_path):
-    """The first yielding impacts agree on one and four ranks to 1e-9 of the kinetic energy. Four
-    ranks sum forces in another order, and an impact multiplies the difference by ten."""
+    """The energies of the first yielding impacts agree on one and on four MPI ranks.
+
+    The tolerance is 1e-9 of the kinetic energy. Four ranks sum forces in another order, and each
+    impact multiplies this difference by about ten.
+    """
     settings, logs = {**case.brief.settings, **case.brief.start}, []
     for ranks in (1, 4):
         folder = tmp_path / str(ranks)
@@ -130,7 +139,10 @@ def test_ranks_agree_on_the_first_impacts(case, tmp_path):
 
 
 def test_another_law_runs(case, tmp_path):
-    """The law is LIGGGHTS' hertz without energy balance if the deck allows it, else thornton."""
+    """A deck runs with LIGGGHTS' `hertz` without energy balance, or with `thornton`.
+
+    The law is `thornton` if the deck does not allow `hertz`.
+    """
     changes = {"law": "hertz", "ledger": "off"}
     try:
         case.deck_type.read(case.settings(**changes))

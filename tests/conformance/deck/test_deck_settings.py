@@ -25,8 +25,9 @@ def test_every_deck_has_a_class_and_a_short_run():
 
 
 def test_declared_settings_are_the_decks(case):
-    """Class and script have the same settings. Only the script has the setting `host`, the program
-    that runs the deck.
+    """The Python class and the input script of a deck have the same settings.
+
+    Only the script has the setting `host`, the DEM code that runs the deck.
     """
     assert attrs.fields_dict(case.deck_type).keys() - {"output"} == case.settings().keys() - {
         *PLACES,
