@@ -15,10 +15,13 @@ NOT_HERTZIAN = ("mdr",)
 def mapped_sphere(
     pair: laws.MaterialPair, radius_eff: float, overlap: np.ndarray
 ) -> dict[str, np.ndarray]:
-    """Return the elastic contact of `mdr`. The force is 2 E' R^2 [acos(1 - y) - (1 - y) sqrt(2y -
-    y^2)] with y = d/2R and E' of the yielding body. R is chosen so that force and contact radius
-    tend to those of Hertz' contact of the pair. The bracket is 4 sqrt(2)/3 y^1.5 2F1(-1/2, 3/2;
-    5/2; y/2)."""
+    """Return the elastic contact of `mdr` at an overlap d [m].
+
+    The force is 2 E' R^2 [acos(1 - y) - (1 - y) sqrt(2y - y^2)] with y = d/2R. E' is the
+    plane-strain modulus of the yielding body. R is chosen so that force and contact radius tend to
+    those of Hertz' contact of the pair. The bracket equals 4 sqrt(2)/3 y^1.5 2F1(-1/2, 3/2; 5/2;
+    y/2), with the hypergeometric function 2F1.
+    """
     modulus = pair.youngs_modulus / (1 - pair.poissons_ratio**2)
     ratio = modulus / pair.youngs_modulus_eff
     radius = radius_eff * ratio

@@ -82,7 +82,10 @@ def test_files_of_equal_names_are_all_copied(plain, tmp_path):
 
 
 def test_meshes_are_copied_with_the_deck(plain, tmp_path):
-    """The copy has meshes that a setting names, but no meshes that the deck writes."""
+    """A copy of a deck has the meshes that it reads, but not those that it writes.
+
+    A setting may contain the name of a mesh.
+    """
     shutil.copy(plain.parent / "meshes" / "plate.stl", plain.parent / "written.stl")
     end = "run 500\ndump walls all mesh/stl 100 written.stl\nrun 0\n"
     mesh = ("meshes/plate.stl", "meshes/${mesh}.stl")
@@ -95,7 +98,10 @@ def test_meshes_are_copied_with_the_deck(plain, tmp_path):
 
 
 def test_path_selects_the_users_deck_of_a_supplied_name(tmp_path, monkeypatch):
-    """A run of the user's deck cannot continue with the supplied deck, and vice versa."""
+    """A path selects the user's deck, even if a deck of this package has the same name.
+
+    A run of the user's deck cannot continue with the deck of this package, and vice versa.
+    """
     monkeypatch.chdir(tmp_path)
     deck = write_deck(Path("hopper"), "thornton", "steel")
     assert plan_bulk("hopper", {}, "supplied").deck_type.__name__ == "Hopper"
@@ -126,7 +132,7 @@ def test_any_path_is_a_deck(file, name, plain, monkeypatch):
 
 
 def test_supplied_name_selects_the_supplied_deck(tmp_path, monkeypatch):
-    """The supplied deck runs even if a file of that name exists."""
+    """A deck name without a path selects the deck of this package, even if such a file exists."""
     monkeypatch.chdir(tmp_path)
     Path("hopper").write_text("units si\n")
     assert plan_bulk("hopper", {}, "run").deck_type.__name__ == "Hopper"

@@ -178,7 +178,10 @@ def test_an_interrupt_while_the_command_loads(sent, monkeypatch, capsys):
 
 @pytest.mark.parametrize("sent", [signal.SIGINT, signal.SIGTERM])
 def test_an_interrupt_keeps_finished_results(sent, start_plastigran, tmp_path):
-    """After Ctrl-C, or SIGTERM of a batch system, no further run starts and finished rows stay."""
+    """Ctrl-C, or SIGTERM from a batch system, stops `impact`; the table keeps the finished rows.
+
+    No further simulation starts.
+    """
     line = ["impact", "--law", "thornton", "--points", "300", "--jobs", "1", "--output", tmp_path]
     run = start_plastigran(*line)
     table = tmp_path / "impacts.csv"

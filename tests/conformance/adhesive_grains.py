@@ -65,7 +65,7 @@ def sphere(
 
 
 def run(law: str, folder: Path, bodies: list[str], commands: str, ranks: int = 1, **variables):
-    """Run adhesion.in.
+    """Run the deck adhesion.in and return its log.
 
     Args:
         law: Law of pairs and wall, optionally followed by `adhesion jkr`.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Bodies of the conformance decks: spheres, or discs in two dimensions for laws of cylinders."""
+"""Bodies for the decks in `decks`: spheres, or discs in two dimensions for laws of cylinders."""
 
 from __future__ import annotations
 

@@ -79,8 +79,10 @@ def touch_and_pull(law: str, folder: Path, bodies: list[str], **variables) -> pd
 
 @pytest.mark.parametrize("law", CONSTANTS)
 def test_pair_and_plane_follow_the_law(law, tmp_path):
-    """A grain moves against a plane, or against the common edge of two triangles, and is pulled
-    off. Two grains of twice the radius follow the same path.
+    """The force on adhesive grains follows the law when they are pressed on and pulled off.
+
+    A grain touches a plane, or the common edge of two triangles. Two grains of twice the radius
+    follow the same path.
 
     At each step, the force differs from that of the law by at most 1e-9 of the largest force. The
     coordinates, 1e-5 m, have a round-off of 1e-16, which is 1e-13 of the overlap. The neighbor skin

@@ -31,7 +31,7 @@ ROLLING = {"z": 1e-9 - 0.2, "vx": 5, "youngs_modulus": 7e9, "yield_strength": 2e
 
 @frozen
 class Outcome:
-    """Energy terms by line of the log, and motion of the sphere by frame."""
+    """Results of a run: energy terms at each log line, and motion of the sphere at each frame."""
 
     ledger: pd.DataFrame
     sphere: pd.DataFrame
@@ -89,7 +89,9 @@ def in_a_pipe(folder: Path, facets: int, options: str = "", **variables) -> Outc
 
 @pytest.mark.parametrize("tangential", ["off", "history"])
 def test_a_fine_pipe_is_a_cylinder(tangential, tmp_path):
-    """Each facet covers half a degree, so the sphere overlaps up to five facets at once. Energies
+    """A sphere rolls in a pipe of 720 facets as in a primitive cylinder.
+
+    Each facet covers half a degree, so the sphere overlaps up to five facets at once. Energies
     agree to 1e-3 of the initial kinetic energy, because the corners of the pipe lie 1e-5 of its
     radius outside the cylinder. The balance error arises because the force on a facet turns between
     two steps.
@@ -107,10 +109,11 @@ def test_a_fine_pipe_is_a_cylinder(tangential, tmp_path):
 
 @pytest.mark.parametrize("facets", [36, 90, 180, 360])
 def test_no_energy_is_made_in_a_pipe(facets, tmp_path):
-    """A quarter of the time step at least halves the balance error.
+    """A sphere that rolls over the facets of a pipe gains no energy.
 
-    The error arises because a force keeps its direction during a time step. With narrow facets,
-    LIGGGHTS' own contacts create energy at any time step.
+    A quarter of the time step at least halves the balance error: the error arises because a force
+    keeps its direction during a time step. With narrow facets, LIGGGHTS' own contacts create energy
+    at any time step.
     """
     coarse = in_a_pipe(tmp_path / "coarse", facets, tangential="off")
     fine = in_a_pipe(tmp_path / "fine", facets, tangential="off", steps=20000, timestep=2.5e-6)
@@ -164,8 +167,10 @@ def folded(folder: Path, angle: float, options: str = "", **variables) -> np.nda
 
 @pytest.mark.parametrize("angle", [0.2, 10, 25, -0.2, -10, -60, -120])
 def test_a_dent_is_remembered_over_a_fold(angle, tmp_path):
-    """The history survives folds towards the sphere up to the feature angle of 30 degrees, and
-    all folds away from it.
+    """A yielded contact keeps its history, and so its force, on its way over a fold of the mesh.
+
+    This holds for folds towards the sphere up to the feature angle of 30 degrees, and for all folds
+    away from the sphere.
 
     With LIGGGHTS' own contacts, the force is 3.3 times as large on the fold and 2.3 times behind
     it. Over an edge that bends away by 0.2 degrees, it is zero.
@@ -204,10 +209,10 @@ def pressed_on(folder: Path, triangles: np.ndarray, place: tuple, options: str =
 
 
 def test_true_edges_keep_their_contacts(tmp_path):
-    """In a corner, the sphere has one contact per side.
+    """A sphere has one contact with each side of an edge or corner that is not smooth.
 
-    In a groove, it has two contacts, or one if the feature angle exceeds the angle of the fold. At
-    an edge that bends away, it has one contact.
+    It has three contacts in a corner. In a groove, it has two contacts, or one if the feature angle
+    exceeds the angle of the fold. At an edge that bends away, it has one contact.
     """
     depth = RADIUS - 1e-4
     plate = surfaces.folded_plate(0, 0.3)
@@ -232,8 +237,10 @@ def test_true_edges_keep_their_contacts(tmp_path):
 @pytest.mark.parametrize("angle", [35, 40, 50])
 @pytest.mark.parametrize("overlap", [0.01, 0.03, 0.08])
 def test_a_groove_of_small_triangles_keeps_both_contacts(angle, overlap, tmp_path):
-    """Deep in the groove, the sphere touches triangles of both sides at a common node, in
-    nearly the same direction.
+    """A sphere in a groove of small triangles has one contact with each side.
+
+    Deep in the groove, it touches triangles of both sides at a common node, in nearly the same
+    direction.
     """
     depth, turn = RADIUS * (1 - overlap), np.radians(angle)
     near = (0.05 * RADIUS, 0.15 * RADIUS, 0.3 * RADIUS)
@@ -245,8 +252,9 @@ def test_a_groove_of_small_triangles_keeps_both_contacts(angle, overlap, tmp_pat
 
 
 def test_two_triangles_with_one_between_out_of_reach_are_one_surface(tmp_path):
-    """On a shallow fold, the sphere touches two triangles that share only a node. It does not touch
-    the narrow triangle between them.
+    """A sphere has one contact with two triangles of a shallow fold that share only a node.
+
+    It does not touch the narrow triangle between them.
     """
     depth = RADIUS - 1e-4
     alone = pressed_on(tmp_path / "plate", surfaces.folded_plate(0, 0.3), (-0.05, 0.03, depth))
@@ -257,7 +265,10 @@ def test_two_triangles_with_one_between_out_of_reach_are_one_surface(tmp_path):
 
 
 def test_the_engines_list_of_contacts_has_the_one_force(tmp_path):
-    """`compute wall/gran/local` has one row per overlapped triangle; one row has a force."""
+    """`compute wall/gran/local` has one row per overlapped triangle; one row has the force.
+
+    The sphere has one contact with the smooth surface of these triangles.
+    """
     groove, depth = surfaces.folded_plate(60, 0.3), RADIUS - 1e-4
     lines = (
         "compute contacts all wall/gran/local id force\n"
@@ -280,8 +291,10 @@ def test_the_engines_list_of_contacts_has_the_one_force(tmp_path):
 
 
 def test_triangles_that_share_neither_edge_nor_node_are_named(tmp_path):
-    """The left half of the plate consists of strips that end in the middle of edges of the right
-    half. Near the sphere, which touches both halves, they share no edge and no node.
+    """A warning names a particle that touches triangles of a plate which share no edge or node.
+
+    The left half of the plate consists of strips that end in the middle of edges of the right
+    half. The sphere touches both halves, and its contact force is too large.
     """
     whole, halved, thirds = (surfaces.folded_plate(0, 0.3, pieces) for pieces in (1, 2, 3))
     sides = [np.mean(plate[:, :, 0], axis=1) for plate in (halved, thirds)]
@@ -301,7 +314,7 @@ RESTING |= {"youngs_modulus": 1e7, "yield_strength": 1e5, "coefficient_of_fricti
 
 
 def test_a_ball_that_leans_on_all_sides_is_named(tmp_path):
-    """In a cone, one contact cannot hold the sphere, and the run warns.
+    """A warning names a sphere that rests on all sides of a cone, which one contact cannot hold.
 
     With a contact per facet, as the warning recommends, the sphere comes to rest without a warning.
     The balance error is below 1e-3 of the released potential energy.
@@ -333,10 +346,11 @@ def in_a_bowl(folder: Path, motion: str, ranks: int = 1, **variables) -> Outcome
 
 @pytest.mark.parametrize(("ranks", "grid", "rolling"), [(2, "2 1 1", "off"), (4, "2 2 1", "epsd2")])
 def test_a_bowl_is_the_same_on_all_ranks_and_after_a_restart(ranks, grid, rolling, tmp_path):
-    """The sphere yields and rolls where borders between ranks meet.
+    """A sphere in a bowl of triangles moves alike on several ranks and after a restart.
 
-    The restart file is written during contact. The last position and spin agree to 1e-9 of their
-    largest value, because other ranks sum forces in another order.
+    It yields and rolls where borders between ranks meet. The restart file is written during
+    contact. The last position and spin agree to 1e-9 of their largest value, because other ranks
+    sum forces in another order.
     """
     motion = let_go(300) + f"\nwrite_restart {tmp_path}/middle.restart\nrun 500"
     alone = in_a_bowl(tmp_path / "alone", motion, rolling=rolling)
@@ -354,9 +368,9 @@ def test_a_bowl_is_the_same_on_all_ranks_and_after_a_restart(ranks, grid, rollin
 
 
 def test_over_a_round_edge_no_energy_is_made(tmp_path):
-    """A sphere rolls off a table and down its side.
+    """A sphere that rolls off a table and down its side gains no energy at the edge.
 
-    A quarter of the time step leaves at most a quarter of the balance error.
+    With a quarter of the time step, the balance error is less than 0.3 times as large.
     """
     edge = surfaces.folded_plate(-90, 0.3)
     start = {"x": -0.05, "z": RADIUS, "vx": 0.5, "g": 9.81, "youngs_modulus": 7e8}

@@ -51,7 +51,7 @@ class Feature:
 
     Attributes:
         grains: Commands that make grains, if any.
-        commands: Commands after the pair style, with the law's name.
+        commands: Commands after the pair style; `{law}` stands for the name of the law.
         integrate: The fix that moves the grains, if any.
         more: Values of each grain to compare in addition to its motion.
         thermo: Values of the log to compare.
@@ -215,10 +215,10 @@ def test_it_is_that_of_the_engines_hertz(feature, tmp_path):
 
 @every_feature
 def test_two_ranks_are_one_where_grains_yield(feature, tmp_path):
-    """Two ranks agree with one to 1e-9.
+    """With yielding grains, a feature gives the same motion on two ranks as on one, to 1e-9.
 
-    Where LIGGGHTS' own model differs between ranks, the law without yield must differ in the same
-    way.
+    If LIGGGHTS' own hertz gives another motion on two ranks, a law without yield must give the same
+    motion as hertz on two ranks.
     """
     one, two = (follow(feature, tmp_path / str(ranks), ranks=ranks)[0] for ranks in (1, 2))
     plain = follow(feature, tmp_path / "plain", strength=NO_YIELD)[0]

@@ -49,8 +49,10 @@ def test_force_is_continuous_where_unloading_begins_and_ends(law_name, law_betwe
 
 
 def test_energies_go_on_where_tables_end(law_name, law_between, pair):
-    """The tables of a law end at 2^14 times the overlap at yield. Near this overlap, elastic energy
-    plus plastic work increases by the work of the force.
+    """Energies remain consistent with the force where the tables of a law end.
+
+    The tables end at 2^14 times the overlap at yield. Near this overlap, elastic energy plus
+    plastic work increases by the work of the force.
 
     The quadrature needs a range without kinks; the nearest kink is at 2^14.5. The relative
     tolerance is 1e-9, because the increase is a difference of energies some 100 times as large,

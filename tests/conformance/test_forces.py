@@ -19,13 +19,16 @@ from plastigran.engine.dumps import read_dump
 from plastigran.engine.process import run_deck
 from plastigran.experiments.collision import force_overlap_loop, measure
 
-# Dissipative constant [s] that gives spheres of 10 mm the restitution of the paper's spheres.
+# Dissipative constant [s] for spheres of 10 mm. It gives the restitution of the spheres of Zhang &
+# Vu-Quoc, which have a radius of 100 mm.
 SMALL = 3e-6
 
 
 def test_unequal_bodies_in_either_order(engine_law, tmp_path):
-    """The bodies have unequal radii and materials. Exchanged atoms i and j give the same
-    forces to round-off, and the softer body yields."""
+    """Two spheres of unequal radii and materials collide as predicted; the softer one yields.
+
+    The forces do not depend on which sphere is atom i and which is atom j, except for round-off.
+    """
     bodies = scene(engine_law, dissipative_constant=SMALL)
     loops, runs = [], []
     for swap in (0, 1):
@@ -117,9 +120,11 @@ def has_the_elastic_force(law: str, table: pd.DataFrame, geometry: str) -> None:
 
 @pytest.mark.parametrize("tangential", ["no_history", "history"])
 def test_sliding_friction(engine_law, tangential, tmp_path):
-    """A sphere that slides during a whole oblique impact loses mu times the normal impulse along
-    the plane: d(vy) = -mu (1 + e) v. The relative tolerance is 2e-3, because the tangential force
-    needs some steps to reach mu F.
+    """A sphere that slides during a whole oblique impact loses mu times the normal impulse.
+
+    Its tangential velocity changes by -mu (1 + e) v, with the restitution e and the normal impact
+    speed v. The relative tolerance is 2e-3, because the tangential force needs some steps to reach
+    mu F.
     """
     table = slide(engine_law, tangential, "off", tmp_path)
     normal = table["vx"].iloc[-1] - table["vx"].iloc[0]
@@ -128,8 +133,11 @@ def test_sliding_friction(engine_law, tangential, tmp_path):
 
 
 def creep(law: str, folder: Path, **variables) -> tuple[pd.DataFrame, np.ndarray]:
-    """Return the steps of a slow motion along the plane near the largest force, and their
-    tangential stiffness by the law [N/m].
+    """Move a sphere slowly along the plane during an impact.
+
+    Returns:
+        The frames near the largest normal force, and the tangential stiffness of the law at these
+        frames [N/m].
     """
     bodies = scene(law)
     bodies.run("creep", folder, **variables)
@@ -145,7 +153,8 @@ def creep(law: str, folder: Path, **variables) -> tuple[pd.DataFrame, np.ndarray
 def test_tangential_stiffness_is_the_laws(engine_law, tmp_path):
     """The tangential stiffness is 8 G* a with the contact radius a of the law, also beyond yield.
 
-    For a cylinder it is pi E* L/(2 ln(2 D/a) + 1/(1 - nu)).
+    For a cylinder of length L on a body of thickness D, the stiffness is
+    pi E* L/(2 ln(2 D/a) + 1/(1 - nu)).
 
     A slow motion along the plane (10 um/s) never slides, so the spring force is k_t times the path.
     The relative tolerance is 1e-3, because the path begins up to one step after the touch.
@@ -156,8 +165,9 @@ def test_tangential_stiffness_is_the_laws(engine_law, tmp_path):
 
 @pytest.mark.parametrize("damping", ["off", "on"])
 def test_friction_without_history_is_critically_damped(engine_law, damping, tmp_path):
-    """A slow tangential motion gives the force 2 sqrt(k_t m*) times its speed, with and without
-    dashpot.
+    """With `tangential no_history`, the force against a slow motion is a critical dashpot.
+
+    It is 2 sqrt(k_t m*) times the tangential speed, with and without `viscous_damping`.
     """
     table, stiffness = creep(engine_law, tmp_path, tangential="no_history", damping=damping)
     expected = -2 * np.sqrt(stiffness * table["mass"]) * table["vy"]
@@ -182,8 +192,9 @@ def slide(law: str, tangential: str, rolling: str, folder: Path, spin: float = 0
 
 
 def test_timestep_warning(engine_law, tmp_path):
-    """A step that is too long gives a warning with the recommended step; the recommended step
-    gives none.
+    """A time step that is too long gives a warning with the recommended one.
+
+    The recommended time step gives no warning.
     """
     model = scene(engine_law).impact(0.1)
     recommended, deck = model.timestep, f"collision/{model.geometry}.in"

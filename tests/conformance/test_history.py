@@ -64,8 +64,8 @@ def test_second_touch_is_a_new_contact(history_law, geometry, rebuild, tmp_path)
     """Both impacts of a bouncing sphere have the restitution of their own speed.
 
     If the contact kept its history, the slower second impact would be elastic, with restitution 1
-    instead of 0.8 or less. The tolerance of restitution is 0.02: gravity is 10/s times the impact
-    speed, and a contact lasts a millisecond.
+    instead of 0.8 or less. The tolerance of restitution is 0.02: during a contact of about a
+    millisecond, gravity changes the speed by about 1 %.
     """
     bodies = scene(history_law, dissipative_constant=LARGE)
     body = bodies.material.body()
@@ -156,7 +156,10 @@ def test_restart_on_two_ranks(stored_law, course, tmp_path):
 @pytest.mark.parametrize(("geometry", "moment"), [("plane", "loading"), ("mesh", "unloading")])
 @pytest.mark.parametrize("law", ["thornton", "universal"])
 def test_restart_at_walls_on_two_ranks(law, geometry, moment, course, tmp_path):
-    """Two laws suffice, because the stored wall contacts of laws differ only in their size."""
+    """A wall contact keeps its history after a restart on two ranks.
+
+    Two laws suffice, because the wall contacts of other laws differ only in the number of values.
+    """
     check_restart(law, geometry, moment, 2, course, tmp_path)
 
 

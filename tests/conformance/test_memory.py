@@ -14,7 +14,8 @@ from plastigran import laws
 from plastigran.engine.dumps import read_dump
 from plastigran.engine.process import EngineStopped
 
-# Frames that between_runs.in writes: one per step, and one at the start of each run.
+# What the deck between_runs.in did before each frame. It writes one frame per step, and one at the
+# start of each run.
 STAGES = (
     "held",
     "held",
@@ -99,8 +100,9 @@ def run_with(
 @pytest.mark.parametrize("ranks", [1, 2])
 @pytest.mark.parametrize("wall", ["plane", "mesh"])
 def test_memory_outlives_a_restart_file_without_the_lines(wall, ranks, tmp_path):
-    """Contacts keep their history if a deck replaces and deletes their lines, writes a restart file
-    without them, deletes particles, and gives the lines again.
+    """Contacts keep their history if a deck replaces their pair_style line and deletes their wall.
+
+    The deck then writes a restart file, deletes particles, and gives both lines again.
     """
     commands = (
         "pair_style gran model hertz tangential history; pair_coeff * *; unfix wall; "
@@ -302,8 +304,10 @@ def test_a_default_that_is_said_is_the_same_constant(tmp_path):
 
 @pytest.mark.parametrize("fix", ["range", "step", "motion", "history"])
 def test_own_fixes_may_be_removed(fix, tmp_path):
-    """If a deck removes a fix of the plugin, the next run is set up, even with `pre no`, and has
-    the same forces."""
+    """A deck may remove a fix that the plugin added. The forces of the next run do not change.
+
+    The next run then does its setup, even with `pre no`.
+    """
     log = run_with(f"unfix plastigran_{fix}; run 2 pre no", "thornton", tmp_path)
     assert_held(held_forces(tmp_path), ("held",) * 5)
     assert log.count("Setting up run") == 5

@@ -46,7 +46,10 @@ def options(law_name: str) -> list[dict[str, str]]:
 
 
 def test_two_equal_spheres_are_one_on_a_rigid_plane(sphere_law, body, law_between):
-    """Restitution and force are equal; each sphere has half of the overlap."""
+    """Two equal spheres that meet at speed 2 v behave like one sphere on a rigid plane at speed v.
+
+    Restitution and force are equal; each of the two spheres has half of their overlap.
+    """
     two, one = laws.combine(body, body), laws.combine(body, RIGID)
     speeds = SPEEDS * yield_speed(one, RADIUS, MASS)
     for given in options(sphere_law):

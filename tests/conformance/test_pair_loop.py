@@ -13,7 +13,7 @@ from soft_grains import COMPANIONS, PROPERTIES, STRENGTH, fresh, motion
 
 from plastigran.engine.log import read_thermo
 
-#: Grains of two sizes fall on fixed grains and hit each other; one grain stops.
+#: Grains of two sizes fall on fixed grains and hit each other.
 GRAINS = """
 group stones type 2
 group moving type 1
@@ -45,7 +45,7 @@ fix sliding all property/global coeffFrictionStiffness peratomtypepair 2 1 1 1 1
 fix viscous all property/global coefficientRollingViscousDamping peratomtypepair 2 0.1 0.1 0.1 0.1
 fix stiff   all property/global coeffRollingStiffness peratomtypepair 2 0.2 0.2 0.2 0.2
 """
-#: Models, and the options at the end of the line.
+#: Models in addition to the law, and options at the end of the pair_style and wall lines.
 COMBINATIONS = (
     ("tangential history", ""),
     ("tangential history rolling_friction epsd2", ""),
@@ -112,8 +112,10 @@ def test_all_digits_where_rates_matter(tmp_path):
     ],
 )
 def test_asking_for_energies_moves_nothing(models, tmp_path):
-    """Luding's models change their history each time forces are computed, so energies must not
-    cause another computation.
+    """Printing energy terms at each step does not change the motion.
+
+    Luding's models change their history each time forces are computed, so the energy terms must not
+    cause another computation of forces.
     """
     line = models, "energy_ledger on"
     often, _ = follow(*line, tmp_path / "often", "v_e3", 1, LUDING)

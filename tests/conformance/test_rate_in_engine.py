@@ -28,8 +28,10 @@ ALUMINIUM = evolve(SPHERES.material, **RATE)
 @pytest.mark.parametrize("speed", [0.1, 1.0])
 @pytest.mark.parametrize("geometry", IMPACTS["sphere"].geometries)
 def test_impact_is_the_laws_at_its_rate(geometry, speed, law, tolerance, tmp_path):
-    """At a twentieth of the recommended time step, the relative integration error is 1e-5. Where
-    the plugin interpolates in tables, the tolerance is 1e-3.
+    """An impact in LIGGGHTS follows the law with the yield strength at its strain rate.
+
+    At a twentieth of the recommended time step, the relative integration error is 1e-5. If the
+    plugin interpolates in tables, the relative tolerance is 1e-3.
     """
     case = CentralImpact(law, speed, ALUMINIUM, 0.1, geometry=geometry)
     plain = evolve(case, material=SPHERES.material).predict()

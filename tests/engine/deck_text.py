@@ -37,7 +37,10 @@ neighbor        {skin} bin
 
 
 def material(youngs_modulus: object, yield_strength: object, friction: object = None) -> str:
-    """Return the properties of one atom type [Pa] with Poisson's ratio 0.3."""
+    """Return the lines for the material of one atom type with Poisson's ratio 0.3.
+
+    Young's modulus and yield strength are in Pa.
+    """
     values = {"youngsModulus": youngs_modulus, "poissonsRatio": 0.3}
     values |= {"yieldStrength": yield_strength}
     text = "".join(

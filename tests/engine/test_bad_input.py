@@ -198,7 +198,7 @@ def test_decks_without_a_wall_of_metal_refuse_its_constants(deck, message, name,
 
 
 def test_options_are_words(engine_law, tmp_path):
-    """Every choice of every option is accepted, and any other word is refused."""
+    """Each option of a law accepts its listed choices and refuses any other word."""
     for option in laws.LAWS[engine_law].options():
         for choice in option["choices"]:
             setting = f"{option['name']} {choice}"

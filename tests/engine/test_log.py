@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Damaged logs."""
+"""Damaged logs of LIGGGHTS are refused."""
 
 from __future__ import annotations
 

@@ -63,9 +63,12 @@ def trajectory(skin: float, models: str, folder: Path) -> np.ndarray:
 @pytest.mark.parametrize("models", MODELS)
 @pytest.mark.parametrize("skin", [0.0, 1e-9])
 def test_a_small_skin_changes_no_contact(skin, models, tmp_path):
-    """Each quantity changes by at most 1e-9 of its largest value, because sums have another order.
-    `surface multicontact` depends on the skin if a sphere has several contacts, so only its first
-    sphere is compared."""
+    """A very small neighbor skin, or none, does not change motion and forces.
+
+    Each quantity changes by at most 1e-9 of its largest value, because sums have another order.
+    `surface multicontact` depends on the skin if a sphere has several contacts. With this model,
+    the test compares only the sphere that hits only the plane.
+    """
     expected = trajectory(2e-3, models, tmp_path / "usual")
     pressed = expected[0::3, 3] > 0  # the sphere that hits only the plane
     assert np.count_nonzero(np.diff(pressed.astype(int)) == 1) >= 3
@@ -76,7 +79,9 @@ def test_a_small_skin_changes_no_contact(skin, models, tmp_path):
 
 
 def test_a_contact_ends_where_the_deck_takes_the_particle_away(tmp_path):
-    """A sphere overlaps a plane, is far away during the next run, and comes back with less overlap.
+    """The history of a contact ends if a deck moves its particle away between two runs.
+
+    A sphere overlaps a plane, is far away during the next run, and comes back with less overlap.
     Its force then equals the force of a new contact.
     """
     text = head("-0.1 0.1 -0.1 0.1 -0.1 0.1", 2e-3) + (

@@ -71,8 +71,11 @@ def engine_wall(request):
 
 
 def test_a_step_that_is_too_long(tmp_path):
-    """Balls hit a wall at 10 m/s and move by 0.4 radii per step. The first contact force is too
-    large, or the second step passes the wall. The message quotes earlier warnings."""
+    """A run with a time step that is far too long stops, and the message quotes earlier warnings.
+
+    Balls hit a wall at 10 m/s and move by 0.4 radii per step. The first contact force is too
+    large, or the second step passes the wall.
+    """
     text = error_of(tmp_path, deck(**STEP_TOO_LONG, velocity=-10))
     assert "is about to cross a wall" in text or "times its radius in one step" in text
     assert "the time step 0.0002 is too long for wall impacts" in text

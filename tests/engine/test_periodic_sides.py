@@ -39,7 +39,10 @@ def deck(side: float, particles: str = TWO_SPHERES, more: str = "") -> str:
 @pytest.mark.parametrize("ranks", [1, 2])
 @pytest.mark.parametrize("particles", [TWO_SPHERES, INSERTED])
 def test_a_short_periodic_side_is_refused(particles, ranks, tmp_path):
-    """The side is 0.4 mm shorter than two diameters of 20 mm plus the skin of 0.1 mm."""
+    """A periodic side that is shorter than two diameters plus the neighbor skin is refused.
+
+    The side of 39.7 mm is 0.4 mm shorter than two diameters of 20 mm plus the skin of 0.1 mm.
+    """
     message = error_of(tmp_path, deck(0.0397, particles), ranks)
     assert (
         "model thornton: the periodic side x is 0.0397 long; it must be at least 0.0401" in message
@@ -66,7 +69,10 @@ def test_one_large_sphere_to_be_inserted_is_one(runs, tmp_path):
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_a_box_that_shrinks_in_a_run_is_refused(ranks, tmp_path):
-    """`fix deform` shrinks the box from 42 to 38 mm."""
+    """A run stops when its periodic side becomes too short for two diameters and the neighbor skin.
+
+    `fix deform` shrinks the side from 42 to 38 mm; the limit is 40.1 mm.
+    """
     shrink = "fix deform all deform 10 x final 0 0.038\nrun 1000\n"
     message = error_of(tmp_path, deck(0.042, more=shrink), ranks)
     assert re.search(r"the periodic side x is 0\.040.* must be at least", message)

@@ -59,8 +59,9 @@ def test_stock_liggghts_has_no_models_of_the_plugin(engine_law, tmp_path):
 
 
 def test_plugin_exports_nothing():
-    """Under LD_PRELOAD, an exported template instance would replace the template instance of
-    LIGGGHTS.
+    """The shared library of the plugin exports no symbols.
+
+    Under LD_PRELOAD, an exported template instance would replace that of LIGGGHTS.
     """
     listed = subprocess.run(
         ["nm", "-D", "--defined-only", PLUGIN], capture_output=True, text=True, check=True

@@ -78,7 +78,10 @@ def test_a_run_that_takes_too_long_is_stopped(deck, ranks, tmp_path):
 @pytest.mark.parametrize("ranks", [1, 2])
 @pytest.mark.parametrize("sent", [signal.SIGTERM, signal.SIGKILL, signal.SIGHUP])
 def test_liggghts_ends_with_the_process_that_started_it(deck, ranks, sent, tmp_path):
-    """Python cannot handle these signals; SIGINT is ignored, as in the background of a shell."""
+    """LIGGGHTS ends if a signal ends the Python process that started it.
+
+    The Python process ignores SIGINT, as a job in the background of a shell does.
+    """
     script = "import signal, sys; from plastigran.engine.process import run_deck\n"
     script += "signal.signal(signal.SIGHUP, signal.SIG_DFL)\n"
     script += "run_deck(sys.argv[1], {}, sys.argv[2], int(sys.argv[3]), timeout=None)"

@@ -26,7 +26,8 @@ def excess(geometry: str, law: str, speed: float, folder: Path, ranks: int = 1, 
 
 
 def vu_quoc_zhang_limit(pair: laws.MaterialPair, radius_eff: float) -> float:
-    # The law is calibrated up to 41 P_Y; its range ends at 42 P_Y, which allows for rounding.
+    # The law is calibrated up to 41 times the yield force P_Y. Its range ends at 42 P_Y, which
+    # allows for rounding.
     law = laws.VuQuocZhang(pair)
     return law.overlap(radius_eff, 42 * law.yield_force(radius_eff), law.State())
 

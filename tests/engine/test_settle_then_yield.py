@@ -53,9 +53,11 @@ def run(folder: Path, deck: str, name: str, ranks: int, wall: str) -> str:
 @pytest.mark.parametrize("ranks", [1, 2])
 @pytest.mark.parametrize("wall", ["plane", "mesh"])
 def test_a_bed_settled_with_hertz_continues_with_a_law(wall, ranks, tmp_path):
-    """The law loads existing contacts to their overlap; they yield, and the energy balance closes.
-    The balance error is below 1e-5 of the initial energy, the error of the integration in 2000
-    steps. The plastic work at the start alone is 1e-2 of this energy.
+    """A bed that settled with `hertz` continues with a law, and the energy balance closes.
+
+    The law loads existing contacts to their overlap, so they yield at the start. The balance error
+    is below 1e-5 of the initial energy, the error of the integration in 2000 steps. The plastic
+    work at the start alone is 1e-2 of this energy.
     """
     run(tmp_path, SETTLE, "settle", ranks, wall)
     deck = CONTINUE.replace(INCLUDE, LEDGER)
@@ -93,7 +95,10 @@ def test_a_bed_settled_with_a_law_continues_with_hertz(wall, ranks, tmp_path):
 @pytest.mark.parametrize("ranks", [1, 2])
 @pytest.mark.parametrize("wall", ["plane", "mesh"])
 def test_the_models_may_change_within_a_deck(wall, ranks, tmp_path):
-    """The lines of the second deck follow those of the first deck after the wall is deleted."""
+    """A deck may change its models between two runs, without a restart file.
+
+    The test deletes the wall of the first deck and adds the lines of the second deck.
+    """
     second = re.findall(r"^(?:fix m5|pair_style|pair_coeff|fix floor|timestep).*\n", CONTINUE, re.M)
     lines = "".join(second).replace("fix floor", LEDGER + "fix floor", 1)
     if wall == "mesh":

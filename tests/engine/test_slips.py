@@ -114,7 +114,7 @@ def test_a_good_deck_gives_no_warning(changes, tmp_path):
     ],
 )
 def test_a_slip_gives_one_warning(changes, message, tmp_path):
-    """There is only one warning, although both pairs and walls use the wrong value."""
+    """A value that looks like a typing error gives one warning, although pairs and walls use it."""
     log = run(tmp_path, **changes)
     assert log.count("WARNING: plastigran: model ") == 1
     assert message in log
@@ -158,13 +158,16 @@ def test_different_models_of_pairs_and_walls_give_one_warning(pairs, wall, messa
         more="hard_particles yes\n" + matrix("coefficientRestitution", "0.9"),
     )
     assert log.count(f"lines have different normal models: {message}") == 1
-    # The warning is right only if no line has one of LIGGGHTS' own models.
+    # The warning is right only if neither line has a model of LIGGGHTS, which uses restitution.
     assert ("coefficientRestitution is not used" in log) == (wall == "stronge")
 
 
 def test_constants_are_printed_once_with_their_lines(tmp_path):
-    """With two atom types, the log has three lines per law; one of the five walls has another
-    law."""
+    """The log prints the constants of each law once per pair of atom types.
+
+    It also lists the pair_style and wall lines for which they hold. The deck has two atom types, so
+    three pairs of types, and five walls, of which one has another law.
+    """
     walls = [f"fix w{k} all wall/gran model thornton tangential off {FLOOR}" for k in range(4)]
     walls.append(f"fix other all wall/gran model stronge tangential off {FLOOR}")
     log = run(tmp_path, floor="\n".join(walls))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Oblique impacts of a sphere on a plane in LIGGGHTS with the tangential laws."""
+"""Oblique contacts in LIGGGHTS with the tangential laws `partial_slip` and `incremental`."""
 
 from __future__ import annotations
 
@@ -81,7 +81,7 @@ MASS = 2650 * pi / 6 * 0.005**3
 def impact(
     folder: Path, law: str, angle: float, normal: str = "thornton", strength: float = 1e15
 ) -> pd.Series:
-    """Return the last row of an impact at 1 m/s, by default of an elastic sphere."""
+    """Return the last log row of an impact at 1 m/s, by default of an elastic sphere."""
     speeds = {"along": sin(radians(angle)), "into": -cos(radians(angle))}
     lines = LINES.format(law=law, normal=normal)
     text = DECK.format(lines=lines, report=REPORT, steps=STEPS, strength=strength, **speeds)
@@ -95,7 +95,7 @@ def impact(
 def test_tangential_restitution_without_gain_of_energy(law, normal, tmp_path):
     """Tangential restitution has the expected values, and no impact gains energy.
 
-    The tolerance of restitution, 0.008, was set before the first run.
+    The tolerance of restitution, 0.008, was chosen before a result was known.
     """
     for angle, expected in zip(ANGLES, LAWS[law], strict=True):
         after = impact(tmp_path, law, angle, normal)
@@ -124,10 +124,11 @@ def test_plastic_impacts_gain_no_energy(normal, law, tmp_path):
     [("incremental", None), ("partial_slip", None), ("partial_slip", 2), ("partial_slip", 8)],
 )
 def test_force_is_that_of_the_law(law, rings, tmp_path):
-    """An elastic sphere moves on a given path, on which the contact sticks, slips and unloads.
+    """The tangential force in LIGGGHTS equals that of the law on a given path of a sphere.
 
-    The force differs by at most 1e-9 of the largest friction force: the round-off of positions,
-    relative to the overlap, adds up over 1500 steps. The tolerance was set before the first run.
+    On the path, the elastic contact sticks, slips and unloads. The force differs by at most 1e-9 of
+    the largest friction force: the round-off of positions, relative to the overlap, adds up over
+    1500 steps. The tolerance was chosen before a result was known.
     """
     option, law_rings = (f" rings {rings}", (rings,)) if rings else ("", ())
     lines = LINES.format(law=law, normal="thornton").replace(
@@ -174,7 +175,7 @@ def test_wrong_number_of_rings_stops_the_run(rings, tmp_path):
         run_deck(tmp_path / "rings.in", {}, tmp_path)
 
 
-#: Terms of the energy balance.
+#: Commands that print terms of the energy balance and the tangential force at each step.
 LEDGER = """timestep 3e-7
 variable drift equal f_energy_ledger[9]
 variable friction equal f_energy_ledger[5]
@@ -188,16 +189,17 @@ thermo 1"""
 @pytest.mark.parametrize("strength", [1e15, 1e8])
 @pytest.mark.parametrize("law", LAWS)
 def test_friction_adds_no_error_to_the_energy_balance(law, strength, tmp_path):
-    """Elastic and plastic impacts at 20 and 70 degrees run with about the recommended time step.
+    """The balance error that friction adds to an oblique impact is at most its known value.
 
+    Elastic and plastic impacts at 20 and 70 degrees run with about the recommended time step.
     Friction does not change the normal motion, so the balance error of the normal motion equals the
     error of an impact without friction. The rest is the error of friction. Velocity Verlet leaves
     an error of 7/16 (T dt)^2/m while the tangential force T acts, and none after it.
 
-    The target of the balance error, 1e-6 of the kinetic energy, was set before the first run. The
-    dissipated work (friction work minus energy of the springs) does not decrease, except for the
-    error of the trapezoidal rule. The tolerance of this work, 1e-5 of the kinetic energy, was set
-    after the first run, which gave 1.4e-6.
+    The tolerance of the balance error, 1e-6 of the kinetic energy, was chosen before a result was
+    known. The dissipated work (friction work minus energy of the springs) does not decrease, except
+    for the error of the trapezoidal rule. The tolerance of this work is 1e-5 of the kinetic energy;
+    the largest measured decrease was 1.4e-6.
     """
     for angle in (20, 70):
         drifts = []
@@ -221,8 +223,8 @@ def test_friction_adds_no_error_to_the_energy_balance(law, strength, tmp_path):
         assert (error - known).abs().max() < 1e-6 * MASS / 2
 
 
-#: Two spheres move on given paths. They load their contact, slide until it slips, and rotate like a
-#: rigid body about an axis between the normal and the direction of sliding.
+#: Deck in which two spheres move on given paths. They load their contact, slide until it slips, and
+#: rotate like a rigid body about an axis between the normal and the direction of sliding.
 PAIR = (
     START
     + """region box block -0.02 0.02 -0.02 0.02 -0.02 0.02 units box
@@ -252,7 +254,7 @@ AXIS = (0.5, 0.3, 0.8)
 
 
 def pair_force(folder: Path, law: str, steps: int) -> tuple[np.ndarray, np.ndarray]:
-    """Return the tangential force [N] before and after a revolution of the pair in `steps`."""
+    """Return the tangential force [N] before and after the pair turns once in `steps` steps."""
     report = "timestep 2e-8\n"
     for end in (1, 2):
         for quantity in ("x", "y", "z", "fx", "fy", "fz"):
@@ -274,9 +276,11 @@ def pair_force(folder: Path, law: str, steps: int) -> tuple[np.ndarray, np.ndarr
 
 @pytest.mark.parametrize("law", LAWS)
 def test_rigid_rotation_of_a_pair_turns_its_force_with_second_order(law, tmp_path):
-    """After a revolution about an oblique axis, the tangential force is as before. Its magnitude
-    changes by at most a relative 1e-9. Half the step reduces the error of its direction to a
-    quarter; the accepted ratio is 4 within 0.5. Both limits were set before the first run.
+    """The tangential force turns with a pair of spheres that rotates like a rigid body.
+
+    After a revolution about an oblique axis, the force is as before. Its magnitude changes by at
+    most a relative 1e-9. Half the time step reduces the error of its direction to a quarter; the
+    accepted ratio is 4 within 0.5. Both limits were chosen before a result was known.
     """
     errors = []
     for steps in (500, 1000):

@@ -14,7 +14,8 @@ from plastigran.engine.dumps import read_dump
 from plastigran.engine.log import read_thermo
 from plastigran.engine.process import run_deck
 
-#: Two spheres are compressed, partly unloaded, and kept in place; the others move around them.
+#: Deck in which two spheres are compressed, partly unloaded and kept in place. Others move around
+#: them.
 DECK = """
 variable law index thornton
 variable grid index "1 1 1"
@@ -103,10 +104,11 @@ def forces(law: str, folder: Path, grid: str, sort: str, comes: str, compress: s
     ids=["sorted", "others come and go", "the border moves"],
 )
 def test_a_held_contact_keeps_its_force(law, grid, sort, comes, compress, tmp_path):
-    """The force stays on the unloading curve; during first loading, it would be 1.5 times as large.
+    """A contact that is kept in place keeps its history and force, whatever other particles do.
 
-    The border of two ranks starts left of the pair, at the middle of the box, and follows a moving
-    particle past the pair. The force is constant to 1e-9 of itself, because the overlap is a
+    The force stays on the unloading curve; without history, it would be 1.5 times as large. The
+    border of two ranks starts left of the pair, at the middle of the box, and follows a moving
+    particle past the pair. The force is constant to a relative 1e-9, because the overlap is a
     difference of constant positions, fifty times larger. It agrees with the law to 1e-6.
     """
     force = forces(law, tmp_path, grid, sort, comes, compress)

@@ -52,7 +52,10 @@ def same(one: np.ndarray, other: np.ndarray) -> bool:
 
 @pytest.mark.parametrize("skin", [0.0, 1e-9])
 def test_a_small_skin_changes_no_contact(skin, tmp_path):
-    """The sphere bounces on the plane at least three times."""
+    """A very small neighbor skin, or none, does not change impacts on a wall with a law.
+
+    The sphere bounces on the plane at least three times.
+    """
     decks = {s: start(s) + MATERIAL + SPHERE + DUMP + "run 8000\n" for s in (2e-3, skin)}
     expected = trajectory(tmp_path / "usual", decks[2e-3])
     pressed = expected[:, 3] > -1e-9
@@ -74,7 +77,10 @@ def test_a_wall_given_again_keeps_its_contacts(tmp_path):
 @pytest.mark.parametrize("pairs", ["hertz", "universal"])
 @pytest.mark.parametrize("again", [True, False])
 def test_a_wall_given_before_a_run_without_setup_is_there(again, pairs, tmp_path):
-    """A new line is set up in any case, so the run is the same with and without `pre no`."""
+    """A wall that a deck adds between two runs acts in the next run, with and without `pre no`.
+
+    The plugin sets up the contacts of a new wall line even if the run has no setup.
+    """
     wall = next(line for line in MATERIAL.splitlines() if line.startswith("fix floor"))
     models = MATERIAL.replace("gran model hertz", f"gran model {pairs}", 1)
     lines = f"unfix floor\n{wall}" if again else wall
@@ -128,8 +134,11 @@ def test_a_restart_with_other_models_on_the_wall_is_refused(pairs, models, other
 
 
 def test_a_wall_elsewhere_after_a_restart_has_new_contacts(tmp_path):
-    """The floor of the second run is 2 um lower, less than the overlap, with the same or another
-    ID."""
+    """After a restart, contacts with a wall that has moved start without history.
+
+    The floor of the second run is 2 um lower, which is less than the overlap. Its fix has the same
+    ID or another one.
+    """
     run_text(tmp_path, start() + MATERIAL + SPHERE + "run 540\nwrite_restart middle.restart\n")
     create = (
         start().split("region")[0] + f"hard_particles yes\nread_restart {tmp_path}/middle.restart\n"

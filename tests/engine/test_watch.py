@@ -57,7 +57,7 @@ def stopped(folder: Path, grains: list[tuple], ranks: int = 1, **changes) -> str
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_force_that_is_nan(ranks, tmp_path):
-    """The center of a grain lies in the wall, so the contact has no normal."""
+    """A run stops at a force that is NaN, here because the center of a grain lies in a wall."""
     grains = [(0.05, 0.01, 0.05), (0.04, 0.02, 0)]
     message = stopped(tmp_path, grains, ranks=ranks, settings="overlap_limit 2")
     assert (
@@ -67,7 +67,10 @@ def test_force_that_is_nan(ranks, tmp_path):
 
 
 def test_velocity_that_is_nan(tmp_path):
-    """A force is huge from step 500; the message has the last finite position."""
+    """A run stops at a velocity that is not finite; the message has the last finite position.
+
+    A force of 1e300 N acts from step 500.
+    """
     more = "variable wild equal 1e300*(step>500)\nfix wild all addforce v_wild 0 0"
     message = stopped(tmp_path, [(0, 0, 0.05)], more=more)
     assert "particle 1 at (0 0 0.05) has a velocity that is NaN or infinite" in message
@@ -75,7 +78,10 @@ def test_velocity_that_is_nan(tmp_path):
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_overlap(ranks, tmp_path):
-    """The overlap is 1.04 radii, across the border of two ranks; `overlap_limit` allows it."""
+    """A run stops if two grains overlap by more than one radius, unless `overlap_limit` allows it.
+
+    The overlap is 1.04 radii. On two ranks, it lies across the border between them.
+    """
     grains = [(0, -0.48 * RADIUS, 0.05), (0, 0.48 * RADIUS, 0.05)]
     message = stopped(tmp_path, grains, ranks=ranks)
     assert re.search(r"particle [12] at \(0 \S+ 0.05\) and particle [12] at", message)
@@ -117,8 +123,9 @@ def test_lost_particle(ranks, tmp_path):
 
 
 def test_step_is_compared_with_known_times(tmp_path):
-    """One line states Rayleigh's time, Hertz' duration and the step of the law, to two digits.
+    """One log line compares the time step with three times, to two digits.
 
+    These are the Rayleigh time, Hertz' contact time and the recommended time step of the law.
     The Rayleigh time is pi R/c. The wave speed is c = (0.8766 + 0.1631 nu) (G/rho)^(1/2) in
     Bergmann's approximation. For nu = 0.3, it is within 0.2 % of the exact 0.9274 (G/rho)^(1/2).
     """
@@ -138,8 +145,10 @@ def test_step_is_compared_with_known_times(tmp_path):
 
 
 def test_contacts_at_the_start_of_a_run_count(tmp_path):
-    """A grain at rest overlaps a wall; the log recommends the time step for an impact with this
-    overlap.
+    """Contacts at the start of a run also determine the recommended time step in the log.
+
+    A grain at rest overlaps a wall. The log recommends the time step for an impact that would reach
+    this overlap.
     """
     overlap, step = 0.2 * RADIUS, 1e-7
     text = run(tmp_path, [(0, 0, RADIUS - overlap)], timestep=step, steps=1)
@@ -154,9 +163,11 @@ def test_contacts_at_the_start_of_a_run_count(tmp_path):
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_contact_shows_that_the_step_is_too_long(ranks, tmp_path):
-    """A grain falls from rest, which gives no warning at the start. After the impact, the log
-    recommends the step of the law for that speed. The run checks overlaps each time they grow by 10
-    %, so the recommended step may be up to 5 % too long.
+    """A warning during the run reports a contact that needs a shorter time step.
+
+    A grain falls from rest, so the check of the time step at the start gives no warning. At the
+    impact, the log recommends the time step of the law for its speed. The run checks overlaps each
+    time they grow by 10 %, so the recommended time step may be up to 5 % too long.
     """
     speed = 0.5
     law = laws.Thornton(laws.combine(BODY, BODY))
@@ -180,10 +191,12 @@ def test_contact_shows_that_the_step_is_too_long(ranks, tmp_path):
 
 @pytest.mark.parametrize("factor", [0.9, 2])
 def test_adhesive_contacts_are_checked_when_they_unload(factor, tmp_path):
-    """A grain falls from rest, which gives no forecast. While the contact loads, it passes the
-    overlaps of slower impacts, which need a shorter step; they give no warning. At the largest
-    overlap, the warning names the step of this impact. The contact is checked in the first step in
-    which it unloads, so the tolerance is that of the test without adhesion.
+    """The time step of an adhesive contact is checked when the contact begins to unload.
+
+    A grain falls from rest. While the contact loads, it passes the overlaps of slower impacts.
+    These need a shorter time step with adhesion, but they give no warning. At the largest overlap,
+    the warning names the time step of this impact. The tolerance is that of the test without
+    adhesion.
     """
     speed, energy = 0.5, 0.5
     law = laws.ADHESIVE_LAWS["thornton"](laws.combine(BODY, BODY), surface_energy=energy)

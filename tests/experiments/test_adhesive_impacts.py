@@ -52,9 +52,9 @@ def test_impacts_stick_and_rebound(call, capsys):
 
 
 def test_the_remark_has_the_sticking_speed_of_each_sphere(call, capsys):
-    """The output has two sticking speeds: the closing speed, and the speed of each sphere.
+    """For two spheres, the output has the sticking speed as closing speed and for each sphere.
 
-    For two spheres, R*, m* and E* are half of their values at a rigid wall.
+    R*, m* and E* of two equal spheres are half of their values at a rigid wall.
     """
     half = jkr_sticking_speed(GAMMA, RADIUS / 2, 0.6e9 / 0.91, 2 / 3 * np.pi * RADIUS**3 * 1350) / 2
     assert main([*call, *LAWS, "--speed", "0.1", "--geometry", "two_spheres", "--theory"]) == 0
@@ -78,8 +78,9 @@ def test_bodies_that_always_stick_have_a_table(tmp_path, capsys):
 
 @pytest.mark.filterwarnings("default:surface_energy of material")
 def test_surface_energy_of_the_material(call, tmp_path, capsys):
-    """--surface-energy replaces the value of the material; `mdr` ignores both. A warning names laws
-    that ignore the value of the material.
+    """`--surface-energy` replaces the surface energy of the material file; `mdr` ignores both.
+
+    A warning names laws that ignore the value of the material file.
     """
     (tmp_path / "powder.in").write_text(POWDER + "variable surface_energy index 0.1\n")
     rows, warnings = [], []

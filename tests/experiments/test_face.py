@@ -54,8 +54,10 @@ def test_a_contact_of_cylinders_has_their_mass():
 
 
 def test_yield_of_a_contact_of_spheres():
-    """Yield follows the closed forms of Johnson, sec. 6.1, and lies on the elastic curve of the
-    law."""
+    """Overlap, force and speed at yield of spheres follow the closed forms of Johnson, sec. 6.1.
+
+    The point of yield lies on the elastic curve of the law.
+    """
     contact = pg.Contact("thornton", STEEL, "steel", radius=5e-3, radius_other=0.02)
     pressure, modulus = contact.pair.yield_pressure, contact.pair.youngs_modulus_eff
     radius = 1 / (1 / 5e-3 + 1 / 0.02)
@@ -73,7 +75,10 @@ def test_yield_of_a_contact_of_spheres():
 
 
 def test_yield_of_a_contact_of_cylinders():
-    """The yield force is 36 sigma_Y^2 R* L/(pi E*), and lies on the elastic curve of the law."""
+    """The yield force of cylinders of length L is 36 sigma_Y^2 R* L/(pi E*).
+
+    It lies on the elastic curve of the law.
+    """
     lengths = {"cylinder_length": 1e-4, "body_thickness": 1e-4}
     glass = pg.material("glass_kp10")
     contact = pg.Contact("lim_stronge", glass, pg.RIGID, radius=1e-5, **lengths)
@@ -102,8 +107,9 @@ def test_speeds_of_any_shape():
 
 
 def test_a_path_accounts_for_its_work():
-    """Elastic energy plus plastic work equals the work of the force to a relative 1e-4, the error
-    of the trapezoidal rule.
+    """On a loading path, elastic energy plus plastic work equals the work of the force.
+
+    The relative tolerance 1e-4 is the error of the trapezoidal rule.
     """
     path = pg.Contact("thornton", STEEL, "steel", radius=5e-3).path(np.linspace(0, 2e-5, 2000))
     work = np.trapezoid(path["force"], path["overlap"])

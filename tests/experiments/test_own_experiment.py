@@ -19,8 +19,11 @@ OWN = Path(__file__).parent / "own"
 
 
 def test_one_file_is_an_experiment(tmp_path):
-    """Results agree with Hertz within a relative 2e-3. The error is of second order in the time
-    step, which is 1/200 of the contact time."""
+    """A file with an experiment class adds a command; its results agree with Hertz' theory.
+
+    The relative tolerance is 2e-3. The error is of second order in the time step, which is 1/200 of
+    the contact time.
+    """
     line = ["touch", "--speed", "0.05", "0.2", "--output", str(tmp_path)]
     done = subprocess.run(
         [sys.executable, "-m", "plastigran", *line],
@@ -56,7 +59,7 @@ def test_the_command_follows_from_the_fields(line, said, monkeypatch, capsys):
 
 
 def test_the_page_shows_this_experiment():
-    """docs/add_an_experiment.md contains this file without its figure."""
+    """docs/add_an_experiment.md shows the code of own/touch.py without its figure."""
     page = (OWN.parents[2] / "docs" / "add_an_experiment.md").read_text()
     code = (OWN / "touch.py").read_text()
     shown = code[code.index("@attrs.frozen") : code.index("    @classmethod")].strip()

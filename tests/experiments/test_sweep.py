@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Sweeps of cases keep finished results, refuse wrong input, and make tables and figures."""
+"""Sweeps of impact parameters keep finished results, refuse wrong input, and make tables."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def impacts(**changes: object) -> list[CentralImpact]:
 
 
 def test_finished_impacts_survive_a_failure(tmp_path):
-    """One impact fails; the rows of the others are written."""
+    """If one impact of a sweep fails, the rows of the other impacts are written."""
 
     class Broken(CentralImpact):
         def run(self, folder, *_args, **_keys):
@@ -33,7 +33,7 @@ def test_finished_impacts_survive_a_failure(tmp_path):
 
 
 def test_a_folder_of_results_is_refused_unless_forced(tmp_path):
-    """A folder whose sweep has not written its table yet is refused, too."""
+    """A folder with results is refused, even if its sweep has not written its table yet."""
     runs = sweep(impacts(speed=0.1), tmp_path, progress=False)
     for left in (TABLE, "nothing more"):
         with pytest.raises(ValueError, match=f"{tmp_path} contains results. Choose another"):
@@ -71,7 +71,7 @@ def test_jobs_out_of_range_are_refused(jobs, tmp_path):
 
 
 def test_varied_quantities_are_shown(tmp_path):
-    """Rows and curves of two radii are distinguished; a common geometry is not shown."""
+    """Table and legend show a quantity that varies in a sweep, here the radius, and no others."""
     runs = sweep(impacts(radius=[0.05, 0.1]), tmp_path, progress=False)
     head = str(runs).splitlines()[0].split()
     assert "radius" in head and "geometry" not in head

@@ -32,7 +32,7 @@ def test_the_engine_has_the_wall_of_theory(geometry, ball, wall, tmp_path):
 
 
 def test_a_rigid_wall_has_a_name():
-    """In a sweep, `rigid` is a wall like the materials."""
+    """A sweep accepts the name `rigid` for a wall, like the names of materials."""
     runs = CentralImpact.theory(law="thornton", speed=0.1, wall=["rigid", "copper", RIGID])
     assert runs.table["wall"].tolist() == ["rigid", "copper"]
     with pytest.raises(
@@ -42,7 +42,10 @@ def test_a_rigid_wall_has_a_name():
 
 
 def test_a_wall_of_the_balls_metal_has_half_its_modulus():
-    """1/E* = 2 (1 - nu^2)/E, and the yield speed of Hertz' contact is proportional to E*^-2."""
+    """On a wall of its own metal, a ball has half of the effective modulus E* of a rigid wall.
+
+    1/E* = 2 (1 - nu^2)/E, and the yield speed of Hertz' contact is proportional to E*^-2.
+    """
     steel = read_material("steel")
     alike = CentralImpact("thornton", 1.0, steel, 0.01, wall=steel)
     rigid = CentralImpact("thornton", 1.0, steel, 0.01)
@@ -52,7 +55,9 @@ def test_a_wall_of_the_balls_metal_has_half_its_modulus():
 
 
 def test_an_option_reaches_law_and_engine(tmp_path):
-    """Theory equals a law that is created directly; LIGGGHTS agrees within 2e-3, twice the error of
+    """An option of a law takes effect in theory and in LIGGGHTS.
+
+    Theory equals a law that is created directly. LIGGGHTS agrees within 2e-3, twice the error of
     restitution at the recommended time step.
     """
     case = CentralImpact("universal", 2.0, "steel", 0.005, options="yielding flat")
@@ -147,7 +152,10 @@ def test_laws_may_be_any_iterable():
 
 
 def test_options_are_not_left_out_before_a_case_is_judged():
-    """The overlap of a case is checked with its options; with defaults, it would be too large."""
+    """The check of the largest overlap of an impact uses the options of the law.
+
+    With the default options, the overlap would be too large.
+    """
     case = {"law": "universal", "speed": 134.0, "material": "steel", "radius": 0.005}
     (found,) = CentralImpact.plan(**case, options="yielding flat")
     assert found.options == "yielding flat"

@@ -2,12 +2,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Run the commands of docs/first_hour.md in their order.
 
-    tests/first_hour/follow.py             in this tree, unchanged
+    tests/first_hour/follow.py             in this project folder, unchanged
     tests/first_hour/follow.py --brief     with a smaller hopper, without installation: 30 s
     tests/first_hour/follow.py --chroot    in the base system of a new Debian 12, as root
 
-The script ends with 1 if a command fails. It needs only Python 3.11, and `mmdebstrap` for --chroot.
-The new system downloads the packages of Debian and of Python as on the page.
+The script ends with exit code 1 if a command fails. It needs only Python 3.11, and `mmdebstrap` for
+--chroot. The new system downloads the packages of Debian and of Python as on the page.
 """
 
 from __future__ import annotations
@@ -62,7 +62,7 @@ def script(lines: list[str], brief: bool) -> str:
 
 
 def follow_here(brief: bool) -> int:
-    """Run the commands in this tree's environment, with results in a temporary folder."""
+    """Run the commands with this project's environment and build, in a temporary folder."""
     with tempfile.TemporaryDirectory(prefix="first_hour_") as folder:
         for name in ("run", ".venv", "build"):
             (Path(folder) / name).symlink_to(PROJECT / name)
@@ -70,7 +70,7 @@ def follow_here(brief: bool) -> int:
 
 
 def follow_in_chroot(folder: Path) -> int:
-    """Run the commands in a new Debian 12, on a copy of the tree's tracked files.
+    """Run the commands in a new Debian 12, on a copy of the files that git tracks.
 
     Raises:
         SystemExit: mmdebstrap is missing.
@@ -109,11 +109,11 @@ def main() -> int:
     """Return 0 if every command of the page succeeded and wrote its files."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument(
-        "--brief", action="store_true", help="with a smaller hopper, without installation"
+        "--brief", action="store_true", help="use a smaller hopper, and skip the installation"
     )
-    parser.add_argument("--chroot", action="store_true", help="in a new Debian 12, as root")
+    parser.add_argument("--chroot", action="store_true", help="use a new Debian 12; needs root")
     parser.add_argument(
-        "--folder", type=Path, help="folder in which the new Debian is made and stays"
+        "--folder", type=Path, help="new folder for the Debian system, which is not deleted"
     )
     arguments = parser.parse_args()
     if not arguments.chroot:

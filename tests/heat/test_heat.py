@@ -20,7 +20,7 @@ LEDGER_DECKS = DECKS.parents[1] / "ledger" / "decks"
 CAPACITY = 900.0  # heat capacity of the particles in the decks [J/kg/K]
 HEATS = ["heat", "hplastic", "hfric", "hwalls", "hstored"]
 EVERY_MODEL = {"tangential": "history", "rolling": "epsd2", "damping": "on"}
-FILE_ERROR = 1e-9  # relative to the total heat; ranks and restarts add numbers in another order
+FILE_ERROR = 1e-9  # relative to the total heat; ranks and restarts sum in another order
 
 
 def warm(deck: str, folder: Path, ranks: int = 1, **variables) -> pd.DataFrame:
@@ -42,8 +42,11 @@ def dissipated(table: pd.DataFrame) -> pd.Series:
 
 @pytest.mark.parametrize("geometry", ["pair", "plane", "mesh", "pushing", "shearing"])
 def test_an_impact_warms_by_its_work(geometry, tmp_path):
-    """All dissipated work becomes heat or is stored. Heats computed from temperatures have
-    a relative tolerance of 1e-9, because temperatures accumulate round-off over the steps."""
+    """All work that an impact dissipates becomes heat of the bodies or is stored in the material.
+
+    Heats computed from temperatures have a relative tolerance of 1e-9, because temperatures
+    accumulate round-off over the steps.
+    """
     end = warm("impact", tmp_path, geometry=geometry, **EVERY_MODEL).iloc[-1]
     work = dissipated(end)
     assert min(end["plastic"], end["viscous"]) > 0.1 * work and end["friction"] > 0.01 * work
@@ -59,8 +62,10 @@ def test_an_impact_warms_by_its_work(geometry, tmp_path):
 
 
 def test_the_rise_of_temperature_is_the_predicted_one(law_between, aluminium, tmp_path):
-    """The rise is 0.9 v^2 (1 - e^2) / 2c for any size, with the restitution e of the law. The
-    relative tolerance 1e-3 is the error of restitution due to the time step.
+    """An impact at speed v on a rigid wall heats a sphere by 0.9 v^2 (1 - e^2)/(2 c), for any size.
+
+    0.9 is the Taylor-Quinney factor, e the restitution of the law, and c the heat capacity
+    [J/kg/K]. The relative tolerance 1e-3 is the error of restitution due to the time step.
     """
     warm("impact", tmp_path, geometry="plane", tangential="off", slip=0.0, law="thornton")
     law = law_between("thornton", laws.combine(aluminium.body(), RIGID))
@@ -70,8 +75,10 @@ def test_the_rise_of_temperature_is_the_predicted_one(law_between, aluminium, tm
 
 
 def test_equal_bodies_share_the_heat(tmp_path):
-    """Each body gets half of the heat, also in a moving frame of reference. The frames agree to
-    1e-6, because the round-off of positions and velocities differs between them.
+    """Each of two equal bodies gets half of the heat, also in a moving frame of reference.
+
+    The temperatures in both frames agree to 1e-6, because the round-off of positions and velocities
+    differs.
     """
     warm("impact", tmp_path / "rest", **EVERY_MODEL)
     warm("impact", tmp_path / "drift", common=1.0, **EVERY_MODEL)
@@ -114,8 +121,11 @@ def bed(tmp_path_factory) -> tuple[Path, pd.DataFrame]:
 
 
 def test_a_bed_warms_by_its_work(bed):
-    """Heat equals work at every line of the log. The heat of the grains agrees to 1e-9 of its
-    largest value, because temperatures are summed over steps and grains."""
+    """In a bed, the heat equals the dissipated work at every line of the log.
+
+    The heat of the grains agrees to 1e-9 of its largest value, because temperatures are summed over
+    steps and grains.
+    """
     folder, table = bed
     work = dissipated(table)
     heat = table[HEATS[1:]].sum(axis=1)
@@ -128,8 +138,10 @@ def test_a_bed_warms_by_its_work(bed):
 
 @pytest.mark.parametrize(("ranks", "grid"), [(2, "2 1"), (4, "2 2")])
 def test_ranks_warm_alike(bed, ranks, grid, tmp_path):
-    """Ranks agree during the first 1000 steps. Later, collisions multiply the round-off of sums in
-    another order."""
+    """A bed heats alike on one, two and four ranks during the first 1000 steps.
+
+    Ranks sum in another order. Later, collisions multiply this round-off.
+    """
     table = warm("bed", tmp_path, ranks, grid=grid, before=1000, after=0)
     table = table[table["run"] == 0]
     whole = bed[1].iloc[: len(table)]
@@ -153,7 +165,7 @@ def test_a_restart_keeps_the_heat(bed, ranks, tmp_path):
 
 
 def run_bed_with(lines: str, folder: Path) -> str:
-    """Run a step of the bed with these lines instead of those for heat; return the log."""
+    """Run one step of the bed with `lines` instead of its commands for heat; return the log."""
     head = (DECKS / "bed.in").read_text().split("timestep        ${timestep}")[0]
     deck = folder / "changed.in"
     deck.write_text(f"{head}\n{lines}\nrun 1\n")
@@ -161,7 +173,10 @@ def run_bed_with(lines: str, folder: Path) -> str:
 
 
 def test_a_misspelt_factor_is_named(tmp_path):
-    """Without the message, the user would not notice that the default factor 0.9 is used."""
+    """A misspelt name of the Taylor-Quinney factor gives a warning.
+
+    Without it, the user would not notice that the default factor 0.9 is used.
+    """
     factor = "fix f all property/global taylorQuinneyFaktor peratomtype 0.5"
     log = run_bed_with(factor + "\ninclude ${heat_decks}/warming_on.in", tmp_path)
     message = (

@@ -13,13 +13,13 @@ import pytest
 from engine_laws import IN_TREE_LAWS
 
 HERE = Path(__file__).parent
-#: Command that builds upstream LIGGGHTS with some of our laws.
+#: Command that builds upstream LIGGGHTS with some laws of this project.
 BUILD = (HERE / "build_upstream.sh", HERE.parents[1] / "build/in-tree", *IN_TREE_LAWS)
 
 
 @pytest.fixture(scope="session")
 def in_tree():
-    """Upstream LIGGGHTS with some of our laws in its source tree."""
+    """Program: upstream LIGGGHTS, built with some laws of this project in its source tree."""
     if not shutil.which("apt-get"):
         pytest.skip("the LIGGGHTS source comes from Debian's source package; no apt-get here")
     build = subprocess.run(BUILD, capture_output=True, text=True)

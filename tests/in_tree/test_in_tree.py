@@ -28,21 +28,22 @@ COMBINATIONS = len(
         re.MULTILINE,
     )
 )
-# Relative tolerance. Both programs contain the same files, compiled with different optimization
-# and data layout. Round-off therefore differs and may accumulate to 1e-12 in 1e4 steps. A
-# wrong property, history value or combination would have a much larger effect.
+# Relative tolerance. LIGGGHTS with the models in its source tree and the plugin contain the same
+# files, compiled with different optimization and data layout. Round-off therefore differs and may
+# accumulate to 1e-12 in 1e4 steps. A wrong property, history value or combination would have a much
+# larger effect.
 TOLERANCE = 1e-12
 
 
 def run(program, deck: Path, variables: dict[str, object], folder: Path):
-    """Run a deck in a new folder with one of the two programs."""
+    """Run a deck in a new folder with a LIGGGHTS program."""
     folder.mkdir(parents=True)
     words = [str(program), *command(deck, variables, folder)[1:]]
     return subprocess.run(words, cwd=folder, capture_output=True, text=True, errors="replace")
 
 
 def run_both(in_tree, deck: Path, variables: dict[str, object], folder: Path) -> tuple[Path, Path]:
-    """Run a deck with both programs; return the folders of the in-tree one and of the plugin."""
+    """Run a deck with the in-tree build and with the plugin; return the folders of both runs."""
     folders = folder / "in_tree", folder / "plugin"
     for program, place in zip((in_tree, PLUGIN), folders, strict=True):
         done = run(program, deck, variables, place)
@@ -84,8 +85,9 @@ LEDGER, HEAT, SPECTRA = (TESTS / name / "decks" for name in ("ledger", "heat", "
     ids=["energy balance", "heat", "collision spectra"],
 )
 def test_outputs_are_those_of_the_plugin(in_tree, deck, variables, tmp_path):
-    """Both programs give the same energies and heat of an oblique impact on a mesh, and the same
-    collision spectra of a gas.
+    """The in-tree build and the plugin give the same energies, heat and collision spectra.
+
+    Energies and heat are from an oblique impact on a mesh, the spectra from a gas.
     """
     ours, plugin = (
         read_thermo(folder / "log.liggghts")
@@ -137,7 +139,7 @@ def install(tree: Path):
 
 @pytest.fixture(scope="module")
 def installed(tmp_path_factory):
-    """A folder with our models; tests must not change it."""
+    """A source tree with the models of this project; tests must not change it."""
     tree = make_tree(tmp_path_factory.mktemp("installed"))
     assert install(tree).returncode == 0
     return tree
@@ -173,7 +175,10 @@ def test_every_model_is_installed(installed):
 
 
 def test_every_include_of_ours_is_installed(installed):
-    """Paths are relative to the including file, because builds of LIGGGHTS set no include path."""
+    """Every header of this project that an installed file includes is installed.
+
+    Paths are relative to the including file, because builds of LIGGGHTS set no include path.
+    """
     files = contents(installed)
     included = [
         (installed / "src" / name).parent / path
@@ -201,7 +206,7 @@ def test_files_of_an_earlier_version_are_removed(installed_copy):
 
 
 def test_a_model_of_a_fork_with_the_same_name_stays(bare_tree):
-    """The model also stays in the list of models to compile."""
+    """A fork's own model with the name of a law stays, also in the list of models to compile."""
     model = bare_tree / "src/normal_model_stronge.h"
     model.write_text("// of a fork\nNORMAL_MODEL(STRONGE,stronge,77)\n")
     whitelist = bare_tree / "src/style_contact_model_user.whitelist"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Adhesive laws, on random paths with separation and new contact.
+// Tests of the adhesive laws on random paths, on which the bodies separate and touch again.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -222,8 +222,8 @@ TEST_CASE("without adhesion Thornton & Ning's law is Thornton's, without yield i
   }
 }
 
-// Without adhesion, the law differs only by the error of its table, 3e-14 of each quantity, and by
-// round-off during unloading.
+// With zero surface energy, Adhesive<Law> differs from Law only by the error of its table, 3e-14 of
+// each quantity, and by round-off during unloading.
 TEST_CASE_TEMPLATE("a law with a surface energy of zero is the law", Law, VuQuocZhang, Thornton,
                    Stronge, JacksonGreen, Ghaednia, Ghaednia2019, KogutEtsion, KogutKomvopoulos,
                    YeKomvopoulos, Brake2012, Brake2015, Universal) {

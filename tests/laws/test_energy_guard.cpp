@@ -79,9 +79,9 @@ TEST_CASE("the laws whose fits can lose plastic work are guarded") {
 }
 
 // The yield strengths reach a third of the modulus, the upper limit of solids. Above 1e-3 of the
-// modulus, they are close together, because plastic work stops decreasing there for some fits.
-// The tolerance is 1e-12 of the loading work, because plastic work is the difference of
-// two works, which tables store to 3e-14.
+// modulus, they are close together: for some fits, the strengths at which plastic work would
+// decrease without the guard end there. The tolerance is 1e-12 of the loading work, because plastic
+// work is the difference of two energies, which tables store to 3e-14.
 TEST_CASE_TEMPLATE("the energy guard lets no plastic work fall", Law, ALL_LAWS) {
   if constexpr (std::is_same_v<typename Law::State, LargestOverlap::State>) {
     int tested = 0;

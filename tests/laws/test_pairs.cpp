@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The table of type pairs, used as by a host.
+// Tests of the table of pairs of atom types, used as a host uses it.
 #include <doctest/doctest.h>
 
 #include <string>

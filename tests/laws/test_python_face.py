@@ -222,8 +222,8 @@ def test_stub_has_the_types_and_docstrings_of_the_module():
         if isinstance(node, ast.ClassDef):
             its_class = getattr(laws, name)
             members = declared(node.body)
-            # The stub declares the members that all laws share in Law. In the module, each law has
-            # these members.
+            # The stub declares the members that all laws share in its class Law. In the module,
+            # each law has these members.
             common = (
                 set(members) - public(vars(its_class)) if name in ("Law", "ContactState") else set()
             )
@@ -254,10 +254,10 @@ def assert_documented(node: ast.FunctionDef, function: object) -> None:
     "name", [n for n, law in laws.LAWS.items() if law.shape == "sphere" and law.elastic_first]
 )
 def test_ranges_hold_for_a_soft_body_that_does_not_yield_first(name):
-    """Steel against rubber: most of the overlap is in the rubber.
+    """The validity range of a law has a limit also if the softer body does not yield.
 
-    Overlaps of the order of its radius must be outside the range. Laws with fitted stiffnesses are
-    not tested.
+    Steel touches rubber, so most of the overlap is in the rubber. Overlaps of the order of the
+    radius must be outside the range. Laws with fitted stiffnesses are not tested.
     """
     steel = laws.Body(2.1e11, 0.3, 3e8)
     rubber = laws.Body(1e7, 0.49, 1e30)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Laws whose yield strength is multiplied by a rate factor that differs between contacts. No table
-// is built for a factor during a run.
+// Tests of laws at a rate factor. The factor multiplies the yield strength and differs between
+// contacts. No table is built for a factor during a run.
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -20,8 +20,10 @@ def log(folder: Path) -> str:
 @pytest.mark.parametrize("pre", ["yes", "no"])
 @pytest.mark.parametrize("steps", [0, 200])
 def test_changes_of_the_deck_between_runs_are_counted(pre, steps, tmp_path):
-    """Changes are counted with and without a setup. Terms that are printed between runs have their
-    values at the end of the earlier run. The initial energy contains the energy of the walls.
+    """Energy that the deck adds between two runs counts as inserted, with and without `pre no`.
+
+    Terms that are printed between runs have their values at the end of the earlier run. The initial
+    energy contains the energy of wall contacts.
 
     The balance error is below 1e-3 of the added energy; the time step causes a tenth of this limit.
     """
@@ -53,9 +55,10 @@ def test_deleted_particles_need_a_setup(tmp_path):
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_a_restart_keeps_the_terms(bed, ranks, tmp_path):
-    """A run from the restart file has the terms of the second part of the whole run. They agree to
-    1e-9 of the initial energy, because the file has a limited number of digits and two ranks sum in
-    another order.
+    """A run from a restart file has the energy terms of the second part of the whole run.
+
+    They agree to 1e-9 of the initial energy, because the log has a limited number of digits and two
+    ranks sum in another order.
     """
     folder, whole = bed
     restart = folder / "middle.restart"
@@ -116,8 +119,11 @@ def test_changes_of_contacts_are_counted(change, wall, ranks, tmp_path):
 @pytest.mark.parametrize("ranks", [1, 2])
 @pytest.mark.parametrize("wall", [0, 1])
 def test_the_setup_loads_to_its_overlap(wall, ranks, tmp_path):
-    """Bodies overlap beyond yield when a run begins, and then separate. Their contact unloads from
-    the first overlap, and plastic work does not change."""
+    """At the setup of a run, a law loads each new contact to its overlap.
+
+    Bodies overlap beyond yield when a run begins, and then separate. Their contact unloads from
+    this overlap, and plastic work does not change.
+    """
     table = ledger("set_types", tmp_path, ranks, speed=0.5, wall=wall, change="run 0")
     assert table["elastic"].iloc[-1] < 0.99 * table["elastic"].iloc[0]
     assert table["plastic"].iloc[0] > 0
@@ -126,9 +132,11 @@ def test_the_setup_loads_to_its_overlap(wall, ranks, tmp_path):
 
 
 def test_grains_are_inserted_and_lost_during_a_run(tmp_path):
-    """Grains are inserted and lost through the floor; the term `inserted` contains their energy. In
-    the step in which a grain appears or disappears, half a step of gravity is missing or added.
-    This error, m g v dt/2, is 3e-4 of the energy.
+    """The term `inserted` contains the energy of grains that are inserted or lost during a run.
+
+    The grains are lost through the floor of the box. In the step in which a grain appears or
+    disappears, half a step of gravity is missing or added. This error, m g v dt/2, is 3e-4 of the
+    energy.
     """
     table = ledger("passing", tmp_path)
     mechanical = table["kinetic"] + table["gravity"]

@@ -16,7 +16,10 @@ from plastigran.engine.process import EngineError
 
 
 def test_terms_do_not_depend_on_the_output_interval(bed, tmp_path):
-    """The terms agree to 1e-12 of the initial energy, because a log has 15 digits."""
+    """Energy terms that are printed every seven steps equal those of less frequent output.
+
+    They agree to 1e-12 of the initial energy, because a log has 15 digits.
+    """
     often = ledger("bed", tmp_path, before=10000, after=0, every=7)
     whole = bed[1]
     scale = whole[["kinetic", "gravity"]].iloc[0].sum()
@@ -30,10 +33,12 @@ def builds(folder: Path) -> int:
 
 
 def test_terms_are_the_same_in_the_loop_of_liggghts(tmp_path):
-    """LIGGGHTS' own loop runs if contacts are dumped. LIGGGHTS' loop counts stored energies
-    together with the forces; the plugin's loop counts them later. The deck also writes restart
-    files, and a small skin causes many neighbor-list builds. The terms agree to 1e-12 of the
-    initial energy, because a log has 15 digits.
+    """The plugin's loop over contacts and LIGGGHTS' own loop give the same energy terms.
+
+    LIGGGHTS' own loop runs if contacts are dumped. It counts stored energies together with the
+    forces; the plugin's loop counts them later. The deck also writes restart files, and a small
+    neighbor skin causes many neighbor-list builds. The terms agree to 1e-12 of the initial energy,
+    because a log has 15 digits.
     """
     deck = {"before": 7000, "after": 0, "every": 7, "skin": 0.0002}
     ours = ledger("bed", tmp_path / "ours", **deck)
@@ -55,9 +60,11 @@ def test_terms_are_known_after_all_forces(asks, every, tmp_path):
 
 
 def test_a_fix_within_a_step_reads_the_previous_term(tmp_path):
-    """The fix reads an energy term by `fix ave/time` and moves a grain by one meter per joule. The
-    motion equals the term of the previous step. The tolerance is 1e-9 of the largest term, because
-    the log has a limited number of digits.
+    """A fix that acts within a step gets the energy term of the previous step.
+
+    The deck moves a grain by one meter per joule of an energy term, which `fix ave/time` reads. The
+    displacement equals the term of the previous step. The tolerance is 1e-9 of the largest term,
+    because the log has a limited number of digits.
     """
     entries = ledger("between", tmp_path, asks=1, fed=1, every=1)
     motion = read_dump(tmp_path / "trajectory.dump")
@@ -82,8 +89,10 @@ def test_terms_before_the_first_run_are_current(tmp_path):
 
 
 def test_a_deforming_box_changes_no_term(tmp_path):
-    """`fix deform` displaces particles before the output, but after the loop of LIGGGHTS has
-    counted. The terms agree to 1e-12 of the initial kinetic energy, because a log has 15 digits.
+    """In a box that deforms, the plugin's loop and LIGGGHTS' own loop give the same energy terms.
+
+    `fix deform` displaces particles before the output, but after LIGGGHTS' loop has counted. The
+    terms agree to 1e-12 of the initial kinetic energy, because a log has 15 digits.
     """
     ours = ledger("deformed", tmp_path / "ours")
     engines = ledger("deformed", tmp_path / "engines", contacts=1)

@@ -46,10 +46,11 @@ def share(table: pd.DataFrame, entry: str) -> float:
 
 @pytest.mark.parametrize("geometry", CASES)
 def test_an_impact_closes(engine_law, geometry, tmp_path):
-    """The impacts are oblique, with friction, rolling friction and damping. The balance error is
-    below 2e-4 of the initial energy; velocity Verlet causes it mainly in the middle of the impact.
-    A quarter of the step reduces it to a sixteenth, or to at most a quarter if the force jumps or
-    has a kink near an output line.
+    """The energy balance of oblique impacts with friction, rolling friction and damping closes.
+
+    The balance error is below 2e-4 of the initial energy; velocity Verlet causes it mainly in the
+    middle of the impact. A quarter of the time step reduces it to a sixteenth, or to at most a
+    quarter if the force jumps or has a kink near an output line.
     """
     coarse = impact(engine_law, tmp_path / "coarse", geometry=geometry, **CASES[geometry])
     assert share(coarse, "drift") < 2e-4
@@ -65,8 +66,10 @@ def test_an_impact_closes(engine_law, geometry, tmp_path):
 
 @pytest.mark.parametrize("law", ["thornton", "lim_stronge", "universal", "mdr"])
 def test_an_impact_at_a_rate_closes(law, tmp_path):
-    """The laws rescale a table, have a closed form, or interpolate between tables. The balance
-    error is below 2e-4 of the initial energy, and the rate factor is about 1.15.
+    """The energy balance of an impact closes if the strength depends on the strain rate.
+
+    The tested laws rescale a table, have a closed form, or interpolate between tables. The balance
+    error is below 2e-4 of the initial energy. The strain rate raises the strength by about 15 %.
     """
     rate = {"rate_coefficient": 0.02, "reference_rate": 1e-3}
     plain = impact(law, tmp_path / "plain", geometry="plane")
@@ -77,9 +80,10 @@ def test_an_impact_at_a_rate_closes(law, tmp_path):
 
 @pytest.mark.parametrize("geometry", ["plane", "pair", *MOVING])
 def test_closing_is_second_order(geometry, tmp_path):
-    """With a smooth force, half the time step reduces the balance error to a quarter. The limit is
-    0.3, because the velocity of a shaken wall is constant during a step, and output lines miss the
-    largest error.
+    """The balance error is of second order in the time step if the force is smooth.
+
+    Half the time step reduces the error to a quarter. The accepted ratio is 0.3, because the
+    velocity of a shaken wall is constant during a step, and output lines miss the largest error.
     """
     coarse, fine = (
         impact("thornton", tmp_path / str(k), k, geometry=geometry, damping="on") for k in (2, 4)
@@ -89,9 +93,10 @@ def test_closing_is_second_order(geometry, tmp_path):
 
 
 def test_plastic_work_is_the_predicted_loss(engine_law, law_between, aluminium, tmp_path):
-    """The loss is 1/2 m v^2 (1 - e^2), with the restitution e of the law, and belongs to the
-    sphere. The tolerance is 1e-3 of the initial energy, because the time step changes the
-    restitution.
+    """The plastic work of an impact is 1/2 m v^2 (1 - e^2), with the restitution e of the law.
+
+    It belongs to the sphere, because the wall is rigid. The tolerance is 1e-3 of the initial
+    energy, because the time step changes the restitution.
     """
     table = impact(engine_law, tmp_path, geometry="plane", tangential="off", slip=0.0)
     cylinder = laws.LAWS[engine_law].shape == "cylinder"
@@ -130,9 +135,10 @@ def test_the_ledger_changes_no_motion(geometry, tmp_path):
 
 
 def test_a_bed_comes_to_rest(bed):
-    """The balance includes the work of gravity and closes; dissipated energies never decrease.
+    """The energy balance of a bed that comes to rest closes; dissipated energies never decrease.
 
-    The limit of the balance error is 1e-3 of that work; the time step causes a tenth of this limit.
+    The balance includes the work of gravity. The limit of the balance error is 1e-3 of that work;
+    the time step causes a tenth of this limit.
     """
     folder, table = bed
     mechanical = table["kinetic"] + table["gravity"]
@@ -149,8 +155,10 @@ def test_a_bed_comes_to_rest(bed):
 
 @pytest.mark.parametrize(("ranks", "grid"), [(2, "2 1"), (4, "2 2")])
 def test_ranks_have_the_same_terms(bed, ranks, grid, tmp_path):
-    """The terms agree to 1e-9 of the initial energy until collisions amplify the round-off of
-    sums."""
+    """Energy terms on two and four ranks equal those on one rank.
+
+    They agree to 1e-9 of the initial energy, until collisions amplify the round-off of sums.
+    """
     table = ledger("bed", tmp_path, ranks, grid=grid, before=6000, after=0)
     table = table[table["run"] == 0]
     whole = bed[1].iloc[: len(table)]
@@ -167,7 +175,7 @@ def test_ranks_have_the_same_terms(bed, ranks, grid, tmp_path):
     ],
 )
 def test_unsupported_decks_are_refused(deck, message, tmp_path):
-    """The balance is refused where it would be wrong, such as `newton on`.
+    """The energy balance refuses decks for which it would be wrong, such as `newton on`.
 
     With `newton on`, only one of two ranks computes a contact across their border.
     """

@@ -27,7 +27,7 @@ def property_name(constant: str) -> str:
 
 
 def row(constant: dict) -> str:
-    """Return a constant as a row of the page."""
+    """Return a constant as a row of the table in docs/deck_syntax.md."""
     default = "required" if constant["default"] is None else f"{constant['default']:g}"
     least = f"{'above' if constant['above'] else 'from'} {constant['lower']:g}"
     most = "" if isinf(constant["upper"]) else f" to {constant['upper']:g}"
@@ -53,7 +53,10 @@ def test_decks_give_every_constant(deck):
 
 
 def test_decks_have_the_declared_defaults():
-    """A deck uses these values if the material does not give them."""
+    """The decks have the same default values of body constants as `body.h`.
+
+    A deck uses a default if the material does not give the constant.
+    """
     compared = set()
     for file in (file for file in INPUTS.rglob("*.in") if file.parent.name != "materials"):
         for name, value in re.findall(r"^variable (\w+) +index (\S+)", file.read_text(), re.M):

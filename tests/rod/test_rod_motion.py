@@ -24,31 +24,39 @@ CASES = list(pd.read_csv(Path(__file__).parent / "rod_gcm15.csv", comment="#").i
 
 
 def law_of(name: str, **options: str):
-    """Return a law between the paper's rod and flat."""
+    """Return a law for the contact between the rod and the flat of the paper."""
     return RodImpact(name, 1.0).contact_law(**options)
 
 
 @pytest.mark.parametrize("case", CASES, ids=lambda case: f"{case.law}-{case.speed:g}")
 def test_independent_results(case):
-    """The relative tolerance is 1e-5, because the table has six digits. The energy guard does not
-    change the results."""
+    """Impacts of the rod agree with independent results, which are in rod_gcm15.csv.
+
+    The relative tolerance is 1e-5, because this table has six digits. The energy guard does not
+    change the results.
+    """
     found = simulate(STEEP, law_of(case.law), case.speed)
     for name in case._fields[3:]:
         assert getattr(found, name) == pytest.approx(getattr(case, name), rel=1e-5), name
 
 
 def test_effective_mass_of_the_tip():
-    """1/m_eff = 1/m + x_c (x_c - mu y_c)/I, calculated by hand to six digits."""
+    """The effective mass of the tip follows from 1/m_eff = 1/m + x_c (x_c - mu y_c)/I.
+
+    (x_c, y_c) is the vector between tip and center of mass, and I the moment of inertia. The
+    expected values are calculated by hand to six digits.
+    """
     assert STEEP.mass_eff == pytest.approx(0.201260, rel=3e-6)
     assert FLAT.mass_eff == pytest.approx(0.130322, rel=3e-6)
 
 
 @pytest.mark.parametrize("rod", paper_rods(), ids=lambda rod: f"{rod.angle:g}")
 def test_frozen_geometry(rod, rod_law):
-    """A central impact with the effective mass neglects gravity and the rotation during contact.
+    """The rod agrees with a central impact of the effective mass of its tip.
 
-    To first order, the error is at most the angle by which the rod turns plus the relative change
-    of its speed by gravity during the contact. This is 0.6 % for the softest laws.
+    The central impact neglects gravity and rotation during contact. To first order, its error is at
+    most the angle by which the rod turns plus the relative change of its speed by gravity during
+    the contact. This is 0.6 % for the softest laws.
     """
     for speed in (0.5, 4.0):
         law = law_of(rod_law)
@@ -95,7 +103,7 @@ def test_energy_balance(tangential, rod_law):
 
 
 def test_measured_run():
-    """The velocities of the paper give the impulse, which turns the rod at -19.52 rad/s.
+    """The velocities that the paper measured for one impact give a rotation of -19.52 rad/s.
 
     The paper measured -19.67 rad/s. Both values give a restitution of 0.50 to 0.51, while the paper
     quotes 0.43 for 45°.
@@ -109,8 +117,10 @@ def test_measured_run():
 
 
 def test_a_law_above_the_experiment_at_17_degrees():
-    """The paper claims that all laws give less than measured. Kogut and Etsion's law gives 0.579 at
-    0.5 m/s, where 0.55 was measured.
+    """At 17.2 degrees, Kogut and Etsion's law gives a higher restitution than the experiment.
+
+    The law gives 0.579 at 0.5 m/s, where 0.55 was measured. The paper claims that all laws give
+    less than the measured values.
     """
     found = simulate(FLAT, law_of("kogut_etsion"), 0.5)
     assert found.coefficient_of_restitution == pytest.approx(0.579, abs=1e-3)
@@ -131,8 +141,11 @@ def test_upright_rod_is_a_central_impact(spring, rod_law):
 
 
 def test_friction_holds_a_steep_rod():
-    """At 80°, the tip sticks: the force r_x r_y/(I/m + r_y^2) F_n = 0.127 F_n is less than 0.5
-    F_n."""
+    """At 80°, the tip sticks, because sticking needs a friction force below 0.5 F_n.
+
+    This force is x_c y_c/(I/m + y_c^2) F_n = 0.127 F_n, with the normal force F_n, the vector
+    (x_c, y_c) between tip and center of mass, and the moment of inertia I.
+    """
     rod = Rod(angle=80, coefficient_of_friction=0.5)
     h = simulate(rod, law_of("thornton"), 1.0).history.iloc[1:-1]
     x_c, y_c = rod.arm
@@ -151,7 +164,10 @@ def test_the_papers_rods_slide_throughout():
 
 
 def test_a_rod_that_does_not_rebound_is_an_error(monkeypatch):
-    """With 400 times its weight, the rod stays down; its tip oscillates on the unloading curve."""
+    """A rod that does not rebound gives an error.
+
+    With 400 times its weight, the rod stays down; its tip oscillates on the unloading curve.
+    """
     rod = Rod(angle=90, gravitational_acceleration=4e3)
     law = law_of("thornton")
     with pytest.raises(ValueError, match="keeps its tip in contact"):
@@ -162,8 +178,9 @@ def test_a_rod_that_does_not_rebound_is_an_error(monkeypatch):
 
 
 def test_reloading_follows_the_unloading_curve():
-    """Below the largest overlap, unloading and reloading have the same force. Trial steps beyond it
-    do not change the state.
+    """Below the largest overlap of the tip, unloading and reloading have the same force.
+
+    Trial steps of the integrator beyond the largest overlap do not change the contact history.
     """
     rod = Rod(angle=90)
     body = RodMotion(rod, law_of("thornton"), 0.05, None)

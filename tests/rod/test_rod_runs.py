@@ -25,7 +25,9 @@ STEEP, _ = paper_rods()
 
 @pytest.mark.parametrize("rod", paper_rods(), ids=lambda rod: f"{rod.angle:g}")
 def test_agreement_with_the_equations_of_motion(rod, rod_law, tmp_path):
-    """The recommended time step causes a relative error of 1e-3. Residual overlap and contact time
+    """Impacts of the rod in LIGGGHTS agree with the equations of motion.
+
+    The recommended time step causes a relative error of 1e-3. Residual overlap and contact time
     are extrapolated from the last loaded frames, with an error of 5e-3. The peak force is not
     compared, because it may lie on either side of a jump of the law.
     """
@@ -43,7 +45,9 @@ def test_agreement_with_the_equations_of_motion(rod, rod_law, tmp_path):
 @pytest.mark.parametrize("tangential", laws.TANGENTIAL_LAWS)
 @pytest.mark.parametrize("angle", [60, 75])
 def test_agreement_with_tangential_laws(angle, tangential, tmp_path):
-    """The tip sticks during a part of these impacts, so the angular velocity depends on the
+    """Rod impacts with the tangential laws agree between LIGGGHTS and the equations of motion.
+
+    The tip sticks during a part of these impacts, so the angular velocity depends on the
     tangential model. The recommended time step causes a relative error of 1e-3. The contact
     takes 200 steps, so an error of one step in time changes the friction force by about 5e-3 of its
     largest value.
@@ -64,9 +68,10 @@ def test_agreement_with_tangential_laws(angle, tangential, tmp_path):
 @pytest.mark.parametrize("speed", [0.5, 4.0])
 @pytest.mark.parametrize("rod", paper_rods(), ids=lambda rod: f"{rod.angle:g}")
 def test_friction_without_spring_is_that_of_the_paper(rod, speed, tmp_path):
-    """With `no_history`, friction is mu F as soon as the tip slides, so results agree to 2e-3. With
-    `history`, a spring first holds the tip, which changes restitution by 1.5 % and angular velocity
-    by 0.3 %.
+    """With the model `no_history`, friction in LIGGGHTS is that of the paper, mu F during sliding.
+
+    The results agree to 2e-3. With the model `history`, a spring first holds the tip, which changes
+    restitution by 1.5 % and angular velocity by 0.3 %.
     """
     paper = RodImpact("ghaednia", speed, rod, "no_history").predict()
     found = RodImpact("ghaednia", speed, rod, "no_history").run(tmp_path)
@@ -105,10 +110,10 @@ def test_without_friction(tmp_path):
 
 @pytest.mark.parametrize("rod", [STEEP, Rod(angle=30, length=0.2, mass=1.0, tip_radius=0.01)])
 def test_three_spheres_are_the_rod(rod, tmp_path):
-    """The clump of three spheres has the mass and inertia of the rod.
+    """The clump of three spheres in the deck has the mass and moment of inertia of the rod.
 
-    Both follow from forces, torques and velocities. Velocity Verlet integrates by
-    the trapezoidal rule, so impulses are exact. The relative tolerance 1e-9 is round-off of some
+    The test computes both from forces, torques and velocities. Velocity Verlet integrates by the
+    trapezoidal rule, so impulses are exact. The relative tolerance 1e-9 is the round-off of some
     hundred steps.
     """
     RodImpact("thornton", 1.0, rod).run(tmp_path)

@@ -15,7 +15,7 @@ from plastigran.engine.process import PROJECT
 from plastigran.papers import find_paper, paper_names
 from plastigran.validation.report import EVIDENCE
 
-#: Settings for a steady discharge; the tests of the hopper use the same run.
+#: Settings of the hopper for a steady discharge; the tests of the hopper use the same run.
 HOPPER = {"orifice": 8, "layers": 10, "timestep": 3e-5, "duration": 0.7, "rows": 150}
 HOPPER |= {"filling": 0.2, "checkpoints": 1}
 
@@ -47,7 +47,7 @@ def test_figures_of_the_bulk_decks(brief_run, bulk_run, tmp_path, monkeypatch):
 
 
 def test_every_figure_of_the_docs_has_a_part():
-    """Parts draw all figures except a screenshot and two figures that benchmarks draw."""
+    """`./run figures` draws all figures of the docs except a screenshot and two of benchmarks."""
     drawn = {f"{name}.svg" for name in make_figures.laws.LAWS}
     drawn |= {file for _, files in make_figures.EXPERIMENTS.values() for file in files.values()}
     drawn |= {f"{name}.png" for name in make_figures.BULK} - {"bed_impact.png"}
@@ -69,7 +69,7 @@ def test_every_figure_of_the_docs_has_a_part():
 
 
 def test_each_part_starts(tmp_path, monkeypatch):
-    """Each part reaches the first call of its computation."""
+    """Each part of `./run figures` starts: it reaches the first call of its computation."""
     begun = []
 
     def begin(name):

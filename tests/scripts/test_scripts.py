@@ -33,9 +33,11 @@ def load(path: str) -> ModuleType:
 
 
 def test_convergence_of_finite_elements():
-    """A third of the penalty changes results of a coarse compression and a coarse impact by less
-    than 2 %. The contact radius changes most, by 1.2 %, because it is resolved to a fraction of an
-    element.
+    """`docs/convergence.py` computes how finite-element results change with their settings.
+
+    A third of the contact penalty changes results of a coarse compression and a coarse impact by
+    less than 2 %. The contact radius changes most, by 1.2 %, because it is resolved to a fraction
+    of an element.
     """
     script = load("docs/convergence.py")
     coarse = Settings(divisions=4, fineness=0.5, growth=1.15, unloading_steps=10)
@@ -48,7 +50,7 @@ def test_convergence_of_finite_elements():
 
 
 def test_pair_time(tmp_path, monkeypatch, capsys):
-    """The script measures two steps of a bed of 216 spheres and of a bed of 36 discs once."""
+    """`benchmarks/pair_time.py` runs: once, for two steps of 216 spheres and of 36 discs."""
     monkeypatch.syspath_prepend(PROJECT / "benchmarks")
     script = load("benchmarks/pair_time.py")
     monkeypatch.setattr(script, "WORK", tmp_path)
@@ -79,7 +81,7 @@ def test_pair_time(tmp_path, monkeypatch, capsys):
 
 @pytest.mark.engine
 def test_peers(tmp_path, monkeypatch, capsys):
-    """The script measures two steps of a bed of 72 spheres once, in LIGGGHTS only."""
+    """`benchmarks/peers.py` runs: once, for two steps of 72 spheres, in LIGGGHTS only."""
     monkeypatch.syspath_prepend(PROJECT / "benchmarks")
     script = load("benchmarks/peers.py")
     monkeypatch.setattr(script, "WORK", tmp_path)
@@ -98,7 +100,9 @@ def test_peers(tmp_path, monkeypatch, capsys):
 
 @pytest.mark.engine
 def test_restitution_of_peers(tmp_path, monkeypatch):
-    """`hooke/hysteresis` agrees with the finite elements at the speed of its fit, within 1 % due to
+    """`benchmarks/peers_restitution.py` compares restitution with other codes' laws.
+
+    `hooke/hysteresis` agrees with the finite elements at the speed of its fit, within 1 % due to
     interpolation between speeds. The law of this project agrees with Python within the error of a
     time step of 1/4000 of an impact.
     """
@@ -120,8 +124,10 @@ def test_restitution_of_peers(tmp_path, monkeypatch):
 
 @pytest.mark.engine
 def test_size(tmp_path, monkeypatch, capsys):
-    """Adjacent copies of a bed of 100 grains have the same forces to round-off. A restarted run and
-    a run on four ranks agree to round-off with a run on one rank.
+    """`benchmarks/size.py` makes large beds from adjacent copies of a small bed.
+
+    Copies of a bed of 100 grains have the same forces to round-off. A restarted run and a run on
+    four ranks agree to round-off with a run on one rank.
     """
     monkeypatch.syspath_prepend(PROJECT / "benchmarks")
     script = load("benchmarks/size.py")
@@ -154,7 +160,9 @@ def test_size(tmp_path, monkeypatch, capsys):
 
 
 def test_the_model_of_clusters():
-    """The model gives the number of ghost copies that was counted on four ranks of 3125 grains, 20
+    """`benchmarks/size_model.py` predicts the time of a step on a cluster.
+
+    The model gives the number of ghost copies that was counted on four ranks of 3125 grains, 20
     layers deep, within 10 %. This tolerance is the error of the mean distance of grains. More ranks
     are less efficient, and one rank needs only the time of its grains.
     """
@@ -171,9 +179,9 @@ def test_the_model_of_clusters():
 
 
 def test_random_calls(monkeypatch, capsys):
-    """The script fails if a law has no calls.
+    """`benchmarks/random_calls.py` fails if it does not call every law.
 
-    20000 calls are one random pair, which calls one law; all other laws have no calls.
+    20000 calls are one random pair of materials with one law; all other laws have no calls.
     """
     script = load("benchmarks/random_calls.py")
     monkeypatch.setattr(sys, "argv", ["random_calls.py", "--calls", "20000"])
@@ -188,9 +196,10 @@ def test_random_calls(monkeypatch, capsys):
 
 
 def test_the_slurm_script_continues_from_the_older_checkpoint(tmp_path):
-    """In this test, `srun` prints its arguments. Without checkpoints, or with one that may be
-    truncated, the run starts at its beginning. With two checkpoints, the run starts from the older
-    one.
+    """The Slurm example continues from the older of two checkpoints; the newer may be truncated.
+
+    Without checkpoints, or with only one, the run starts at its beginning. In this test, `srun`
+    prints its arguments.
     """
     script = PROJECT / "examples" / "slurm" / "large_bed.sh"
     srun = tmp_path / "srun"
@@ -214,7 +223,7 @@ def test_the_slurm_script_continues_from_the_older_checkpoint(tmp_path):
 
 @pytest.mark.parametrize("part", ["kills", "restarts"])
 def test_reliability(part, tmp_path, monkeypatch):
-    """The script runs two kills or two restarts, and replaces only their table on the page."""
+    """`benchmarks/reliability.py` runs two kills or restarts, and replaces only their table."""
     monkeypatch.syspath_prepend(PROJECT / "benchmarks")
     script = load("benchmarks/reliability.py")
     page = PROJECT / "docs" / "reliability.md"
@@ -237,8 +246,10 @@ def test_reliability(part, tmp_path, monkeypatch):
 
 
 def test_the_metal_of_the_independent_finite_elements():
-    """If the stretches keep their directions, the product F = F_e F_p and the sum of logarithmic
-    strains are equivalent.
+    """The independent finite elements have the same metal as the finite strain of this package.
+
+    The independent ones split the deformation into a product, F = F_e F_p; the package adds
+    logarithmic strains. Both are equivalent if the principal stretches keep their directions.
     """
     script = load("benchmarks/independent_finite_elements.py")
     material = script.HARD
@@ -258,7 +269,7 @@ def test_the_metal_of_the_independent_finite_elements():
 
 @pytest.mark.engine
 def test_softened_decks_are_compared(tmp_path, monkeypatch):
-    """In a short run of the drum, the shares of the dissipation add up to one."""
+    """`docs/softening.py` compares softened decks; the shares of the dissipation add up to one."""
     script = load("docs/softening.py")
     moment = {**script.DRUM, "duration": 0.06, "settling": 0.01, "rows": 24}
     monkeypatch.setattr(script, "DECKS", {"drum": moment})

@@ -52,7 +52,7 @@ def results(tmp_path_factory, brief_run, bulk_run) -> Path:
 
 @attrs.frozen
 class Discharge:
-    """Run of the hopper with a discharge rate that depends on the orifice as in Beverloo's law."""
+    """Replacement for a run of the hopper. Its rate depends on the orifice as in Beverloo's law."""
 
     run: object
     orifice: float
@@ -97,7 +97,7 @@ def test_python_of_a_page_runs(page, results, tmp_path, monkeypatch):
 
 
 def test_yield_strength_of_the_rate_factor():
-    """The yield strengths are those of docs/rate_factor.md."""
+    """The code of docs/rate_factor.md gives the rate factors and the strength of the page."""
     names: dict = {}
     exec(blocks(PROJECT / "docs" / "rate_factor.md")[0], names)
     laws, pair, law = names["laws"], names["pair"], names["law"]

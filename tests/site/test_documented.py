@@ -15,7 +15,7 @@ from plastigran.cli import parser
 
 
 def modules() -> list[str]:
-    """Return every module except the commands, whose two functions `plastigran.cli` describes."""
+    """Return the names of all modules except commands, which `plastigran.cli` describes."""
     names = [module.name for module in walk_packages(plastigran.__path__, "plastigran.")]
     return [name for name in names if ".commands." not in name and "__main__" not in name]
 

@@ -86,7 +86,10 @@ def test_the_site_loads_no_foreign_file(pages):
 
 
 def test_commands_public_names_and_laws_have_their_pages(pages):
-    """Every law has a page, and its header has another page."""
+    """The site has all commands and public Python names, and two pages for each law.
+
+    One page describes the law; the other one describes its C++ header.
+    """
     from plastigran import __all__ as public_names
     from plastigran import laws
 

@@ -75,8 +75,10 @@ def test_an_empty_frame_is_written_for_paraview(run, tmp_path):
 
 @pytest.mark.parametrize("name", NAMES)
 def test_file_that_is_truncated_anywhere_is_damaged(run, name):
-    """VTK itself accepts many files that end between two lines. A file of a mesh may end before
-    CELL_DATA, the IDs of its triangles.
+    """A frame file that is truncated anywhere is refused as damaged.
+
+    VTK itself accepts many files that end between two lines. A mesh file may lack its last part,
+    CELL_DATA, which contains the IDs of the triangles.
     """
     file = run / "frames" / f"{name}_100.vtk"
     text = file.read_text()

@@ -43,15 +43,17 @@ def read_run(folder, law):
 
 @pytest.fixture(scope="module", params=LAWS)
 def vtk(request, tmp_path_factory):
-    """Folder of the files of each law."""
+    """Folder of the VTK files of the two pairs of grains, for each law."""
     folder = press_pairs(tmp_path_factory.mktemp("run"), law=request.param, contact_history=1)
     write_vtk(read_run(folder, request.param), folder / "vtk")
     return folder / "vtk"
 
 
 def test_plastic_work_of_a_contact_is_that_of_its_grains(vtk):
-    """Each grain has half of the plastic work of its only contact. The tolerance is 1e-6, because
-    the files have ten digits."""
+    """The plastic work of a contact is the sum over its two grains, which have no other contact.
+
+    The relative tolerance is 1e-6, because the files have ten digits.
+    """
     grains, contacts = (pyvista.read(vtk / f"{kind}_100.vtp") for kind in ("grains", "contacts"))
     work = dict(zip(grains["id"], grains["plastic_work"], strict=True))
     assert contacts.n_cells == 2
@@ -102,7 +104,7 @@ def test_missing_contact_history_is_refused(damage, tmp_path):
 
 
 def test_command_writes_the_contacts_of_a_deck(bulk_run, tmp_path, capsys):
-    """The run has walls, and some frames have no contacts."""
+    """`plastigran vtk` writes the contacts of a hopper, also if some frames have no contacts."""
     settings = {**deck_class("hopper").briefs[""].settings, "frames": 2, "contact_history": 1}
     run = bulk_run("hopper", settings)
     assert main(["vtk", str(run.folder), "--output", str(tmp_path)]) == 0
@@ -117,8 +119,9 @@ def test_command_writes_the_contacts_of_a_deck(bulk_run, tmp_path, capsys):
 
 
 def test_plastic_work_follows_from_history_and_overlap(yielding_law):
-    """The plastic work from history and overlap equals the plastic work of the whole path with
-    unloading.
+    """The plastic work from contact history and overlap equals that of the whole loading path.
+
+    The path contains unloading and reloading.
     """
     grains = Grains(yielding_law, {}, read_material("aluminium_zv02"), 0.1)
     state = laws.LAWS[yielding_law].State()

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Impacts of a gas of smooth spheres, from the positions of every step.
+"""Reference for collision spectra: find impacts of a gas of smooth spheres in recorded positions.
 
-A contact is an overlap of spheres, or of a sphere and a plane. The law is evaluated again along the
-overlaps; velocities are differences between two steps.
+The positions are from every step. A contact is an overlap of two spheres, or of a sphere and a
+plane. The law is evaluated again along the overlaps; velocities are differences between two steps.
 """
 
 from __future__ import annotations
@@ -132,7 +132,7 @@ def spectra(found: pd.DataFrame, every: int, per_decade: int) -> pd.DataFrame:
 
     Args:
         found: Impacts, as `impacts` returns them.
-        every: Number of steps of a table.
+        every: Number of steps after which the deck writes a table of spectra.
         per_decade: Number of classes per decade.
 
     Returns:

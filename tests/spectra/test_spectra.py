@@ -27,7 +27,7 @@ def count(deck: str, folder: Path, ranks: int = 1, **variables) -> pd.DataFrame:
 
 
 def counted(folder: Path) -> pd.DataFrame:
-    """Return counts and sums of a run in the format of the replay."""
+    """Return the spectra that a run wrote, as counts and sums in the format of `replay.spectra`."""
     table = read_spectra(folder / "spectra.csv")
     positive = table["lower"].where(table["lower"] > 0)
     table["bin"] = np.round(PER_DECADE * np.log10(positive)).fillna(-np.inf)
@@ -36,8 +36,10 @@ def counted(folder: Path) -> pd.DataFrame:
 
 
 def compare(folder: Path, every: int, *dumps: Path) -> pd.DataFrame:
-    """Check that every class has the impacts of the replay; return these impacts. Sums agree to a
-    relative 1e-9: positions have 17 digits, and a law may amplify 1e-16 of the radius.
+    """Check the spectra of a run against impacts from its recorded motion; return these impacts.
+
+    Counts are equal. Sums agree to a relative 1e-9: positions have 17 digits, and a law may amplify
+    an error of 1e-16 of the radius.
     """
     found = impacts(Motion(*(dumps or [folder / "motion.dump"])), TIMESTEP)
     expected = spectra(found, every, PER_DECADE)
@@ -75,7 +77,7 @@ def test_ranks_count_what_happens(ranks, grid, tmp_path):
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_renumbered_grains_keep_their_impacts(ranks, tmp_path):
-    """Impacts count once, also if grains are deleted and others renumbered meanwhile."""
+    """An impact counts once, also if LIGGGHTS renumbers its grains because others are deleted."""
     count("gas", tmp_path, ranks, between="removal", every=300)
     found = compare(tmp_path, 300)
     assert ((found["begin"] <= 600) & (found["end"] > 600)).sum() > 5
@@ -99,9 +101,10 @@ def test_a_restart_continues_the_count(gas, ranks, tmp_path):
 
 
 def test_the_energies_are_the_ledgers(tmp_path):
-    """The energies of impacts and current contacts add up to the dissipation of rough, damped
-    spheres. The relative difference is 3e-4: the last dashpot force and rolling torque of a contact
-    also do work in the step after it.
+    """The dissipated energies of impacts and current contacts add up to the energy balance.
+
+    The spheres have friction and damping. The relative difference is 3e-4: the last dashpot force
+    and rolling torque of a contact also do work in the step after it.
     """
     models = {"tangential": "history", "rolling": "epsd2", "damping": "on"}
     log = count("gas", tmp_path, every=1200, **models)
@@ -115,7 +118,10 @@ def test_the_energies_are_the_ledgers(tmp_path):
 
 
 def test_a_mesh_is_one_wall(tmp_path):
-    """After some bounces, a sphere that slides from triangle to triangle has one contact."""
+    """A mesh counts as one wall: a sphere that slides from triangle to triangle has one contact.
+
+    The sphere bounces some times before it slides.
+    """
     run_deck(DECKS / "slide.in", {}, tmp_path)
     log = read_thermo(tmp_path / "log.liggghts")
     motion = read_dump(tmp_path / "motion.dump")
@@ -154,7 +160,7 @@ def test_another_file_is_named(tmp_path):
 
 
 def run_gas_with(lines: str, folder: Path) -> None:
-    """Read the deck of the gas with these lines instead of its counting."""
+    """Run the deck of the gas with `lines` instead of its commands for collision spectra."""
     deck = folder / "changed.in"
     gas = (DECKS / "gas.in").read_text().split("include         ${decks}/counting")[0]
     deck.write_text(f"{gas}\n{lines}\n")
@@ -162,7 +168,10 @@ def run_gas_with(lines: str, folder: Path) -> None:
 
 
 def test_the_last_line_of_a_killed_run_is_dropped_when_it_is_cut(tmp_path):
-    """`12` may be the beginning of 120000, which is later than the current step."""
+    """An incomplete last line of a killed run is deleted from the file of the spectra.
+
+    The step in it may be incomplete, too: `12` may be the beginning of 120000.
+    """
     heading = "step,quantity,with,type,other_type,lower,upper,count,sum\n"
     row = "0,normal_speed,particle,1,1,0.1,0.2,3,0.5\n"
     (tmp_path / "spectra.csv").write_text(heading + row + row.rstrip())

@@ -39,8 +39,11 @@ def touching(law: laws.Law) -> laws.ContactState:
 
 @pytest.mark.parametrize("gamma", [1e-4, 0.02, 0.2, 5.0])
 def test_jkr_is_the_papers_relation_of_force_and_overlap(gamma):
-    """The relative tolerance is 1e-9, because the overlap is a difference of two terms that cancel
-    near pull-off."""
+    """Force, contact radius and surface energy of `jkr` follow the equations of the JKR paper.
+
+    The relative tolerance is 1e-9, because the overlap is a difference of two terms that cancel
+    near pull-off.
+    """
     law = laws.Jkr(PAIR, surface_energy=gamma)
     least = (pi * gamma * RADIUS**2 / (8 * MODULUS)) ** (1 / 3)
     contact_radius = least * np.geomspace(1.01, 30, 200)
@@ -82,8 +85,9 @@ def test_jkr_restitution_is_the_closed_form():
 
 
 class ThorntonNing:
-    """Thornton & Ning's law by integration of the paper's slope dF/d(overlap). Unloading follows
-    JKR with the radius R_p*.
+    """Thornton & Ning's law by integration of the paper's slope dF/d(overlap) beyond yield.
+
+    Unloading follows JKR with the radius R_p* of the flattened surfaces.
     """
 
     def __init__(self, gamma: float) -> None:
@@ -115,7 +119,7 @@ class ThorntonNing:
         return jkr_force(self.yield_radius, self.gamma) + grown
 
     def unloading(self, overlap_max: float) -> tuple[float, float]:
-        """Return R_p* and the overlap at which the flattened surfaces touch."""
+        """Return the radius R_p* [m], and the overlap [m] at which the flattened surfaces touch."""
         a = self.contact_radius(overlap_max)
         equivalent = 4 * MODULUS * a**3 / (3 * RADIUS)
         pull_off = 1.5 * pi * self.gamma * RADIUS
@@ -194,8 +198,10 @@ def test_restitution_follows_from_the_motion(name):
 
 
 def test_a_law_may_stick_only_above_some_speed():
-    """The adhesive limit of `luding_2008` grows with the load, so slow grains rebound. The page of
-    the law gives no closed form of the largest sticking speed, so restitution checks it.
+    """With `luding_2008`, slow grains may rebound while faster grains stick.
+
+    The reason is that the attraction of this law grows with the load. There is no closed form of
+    the largest sticking speed, so the test computes restitution just below and above it.
     """
     law = laws.Luding2008(
         PAIR,
@@ -250,7 +256,10 @@ def test_ammonium_fluorescein_sticks_near_the_published_speed():
 
 @pytest.mark.parametrize("speed", [1e-3, 0.1, 10])
 def test_walton_braun_has_the_closed_forms(speed):
-    """Restitution is (k_1/k_2)^(1/2); with an unloading slope S, it decreases with speed."""
+    """Restitution is (k_1/k_2)^(1/2) with the stiffnesses k_1 of loading and k_2 of unloading.
+
+    If k_2 grows with the load, restitution decreases with speed.
+    """
     constant = laws.WaltonBraun(PAIR, loading_stiffness=1e3, unloading_stiffness=3e3)
     computed = constant.central_impact(RADIUS, MASS, speed).coefficient_of_restitution
     assert computed == pytest.approx(sqrt(1 / 3), rel=1e-9)
@@ -262,9 +271,11 @@ def test_walton_braun_has_the_closed_forms(speed):
 
 @pytest.mark.parametrize("adhesive", [0.0, 500.0, 5e3])
 def test_luding_has_the_closed_forms(adhesive):
-    """The recovered energy follows from Singh, Magnanimo, Saitoh & Luding (2015): work on the
-    unloading line minus work against adhesion. Beyond the overlap limit, loading causes no further
-    loss."""
+    """Restitution follows from the recovered energy of Singh, Magnanimo, Saitoh & Luding (2015).
+
+    The recovered energy is the work on the unloading line minus the work against adhesion. Beyond
+    the overlap limit, loading causes no further loss.
+    """
     first, second, depth = 1e3, 5e3, 0.05
     law = laws.Luding2008(
         PAIR,
@@ -294,7 +305,11 @@ def test_luding_has_the_closed_forms(adhesive):
 @pytest.mark.parametrize(("exponent", "n"), [("one", 1.0), ("three_halves", 1.5)])
 @pytest.mark.parametrize("adhesion_ratio", [0.0, 0.05])
 def test_edinburgh_has_the_closed_forms(exponent, n, adhesion_ratio):
-    """Restitution does not depend on speed; for n = 1 without adhesion, it is (k_1/k_2)^(1/2)."""
+    """Restitution does not depend on speed. For the exponent n = 1, it is (k_1/k_2)^(1/2).
+
+    This closed form holds without adhesion; k_1 and k_2 are the stiffnesses of loading and
+    unloading.
+    """
     ratio, top = 5.0, 0.01 * RADIUS
     law = laws.Edinburgh2014(
         PAIR, stiffness_ratio=ratio, adhesion_ratio=adhesion_ratio, exponent=exponent
@@ -370,10 +385,12 @@ def test_the_pull_off_force_is_the_largest_attraction_during_unloading(name):
 
 
 def test_pull_off_force_after_full_plasticity():
-    """`universal` is compared with elastic unloading from a uniform pressure (Mesarovic & Johnson
-    2000), for a steel sphere of 10 um and loads of 3 to 50 mN. The tolerance of 12 % was chosen
-    after the first comparison, which gave -4 to +10 %. The pressure of the finite elements to which
-    `universal` is fitted is not quite uniform.
+    """After full plasticity, the pull-off force of `universal` is near that of Mesarovic & Johnson.
+
+    Their theory (2000) is elastic unloading from a uniform pressure. The steel sphere has a radius
+    of 10 um, and the loads are 3 to 50 mN. The tolerance of 12 % was chosen after the first
+    comparison, which gave -4 to +10 %. The pressure of the finite elements to which `universal` is
+    fitted is not quite uniform.
     """
     pair = laws.combine(laws.Body(2.1e11, 0.3, 3e8), laws.Body(1e30, 0.3))
     modulus, radius, gamma = pair.youngs_modulus_eff, 1e-5, 0.5
@@ -388,8 +405,12 @@ def test_pull_off_force_after_full_plasticity():
 
 
 def test_pull_off_force_of_a_small_contact_within_the_flattened_area():
-    """For small adhesion, F = 4/3 p a^3/a_0 - (8 pi E* Gamma a^3)^(1/2), which is JKR with R = E*
-    a_0/p. The relative tolerance is 1e-3, because the next term of the series is (a/a_0)^2 = 6e-4.
+    """For small adhesion, the pull-off force after full plasticity is that of JKR.
+
+    A surface flattened under the uniform pressure p over the radius a_0 has the force
+    F = 4/3 p a^3/a_0 - (8 pi E* Gamma a^3)^(1/2) at a contact radius a much smaller than a_0. This
+    is JKR with R = E* a_0/p and the work of adhesion Gamma. The relative tolerance is 1e-3, because
+    the next term of the series is (a/a_0)^2 = 6e-4.
     """
     modulus, gamma, pressure, radius = 2.3e11, 1e-4, 9e8, 1e-6
     expected = 1.5 * pi * gamma * modulus * radius / pressure
@@ -399,8 +420,10 @@ def test_pull_off_force_of_a_small_contact_within_the_flattened_area():
 
 @pytest.mark.parametrize("gamma", [0.02, 0.1, 0.2])
 def test_thornton_with_adhesion_against_thornton_and_ning(gamma):
-    """Sticking speeds agree to 5 %, and restitutions at 20 speeds from 1.2 times the sticking speed
-    to 15 %. These tolerances were chosen after the first comparison. The two laws differ only
+    """`thornton` with `adhesion jkr` gives similar impacts as Thornton & Ning's law.
+
+    Sticking speeds agree to 5 %. Restitutions at 20 speeds, from 1.2 times the sticking speed,
+    agree to 15 %. These tolerances were chosen after the first comparison. The two laws differ only
     beyond yield.
     """
     own = laws.ADHESIVE_LAWS["thornton"](PAIR, surface_energy=gamma)

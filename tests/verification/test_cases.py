@@ -31,8 +31,9 @@ RUNS = [
 
 
 def impact(law: str, index: int, **geometry: str) -> CentralImpact:
-    """Return the impact of a row; columns other than material, radius and speed belong to
-    cylinders.
+    """Return the impact of a row in the table of a reference.
+
+    Columns other than material, radius and speed belong to cylinders.
     """
     kind = IMPACTS[laws.LAWS[law].shape]
     return kind(law=law, **impacts.rows(law)[index], **geometry)
@@ -48,10 +49,12 @@ def test_every_law_has_cases(law_name):
 
 @pytest.mark.parametrize(("case", "geometry"), RUNS)
 def test_engine_at_the_recommended_step(case, geometry, tmp_path):
-    """The recommended step causes a relative error of 1e-3 in restitution, and of 2e-3 in other
-    quantities. LIGGGHTS uses a speed of half a step earlier, so rate-dependent forces cause
-    first-order errors: 5e-3, and in the residual overlap 2 % of the largest overlap. Two equal
-    spheres behave like the sphere on a rigid plane, except that each has half of the overlap.
+    """At the recommended time step, impacts in LIGGGHTS agree with the reference of the law.
+
+    The relative error is 1e-3 in restitution, and 2e-3 in other quantities. LIGGGHTS uses a speed
+    of half a step earlier, so rate-dependent forces cause first-order errors: 5e-3, and in the
+    residual overlap 2 % of the largest overlap. Two equal spheres behave like the sphere on a rigid
+    plane, except that each has half of the overlap.
     """
     law, index = CASES[case]
     model, expected = impact(law, index, geometry=geometry), impacts.outcome(law, index)

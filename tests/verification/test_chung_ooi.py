@@ -43,7 +43,9 @@ def test_all_eight_are_there():
 
 @pytest.mark.parametrize("number", [1, 2])
 def test_elastic_normal_impact_is_hertzian(tables, number):
-    """With 1000 steps, force, overlap and duration have relative errors of 2e-6, of second order in
+    """Elastic normal impacts (benchmarks 1 and 2) agree with Hertz' theory.
+
+    With 1000 steps, force, overlap and duration have relative errors of 2e-6, of second order in
     the step. The force is sampled per step, so its maximum is up to (pi/2000)^2/2 = 1e-6 too low.
     Restitution is 1 within 1e-7.
     """
@@ -88,8 +90,10 @@ def test_benchmarks_with_restitution_one_half_have_it():
 
 @pytest.mark.parametrize("number", [4, 5, 6, 8])
 def test_oblique_impact_is_spring_and_slider(tables, number):
-    """The surface speed after the impact agrees to 1e-3 of its change during full sliding. With
-    1000 steps, this is the first-order error of the time at which the spring begins to slide.
+    """Oblique impacts agree with the theory of a tangential spring and a slider.
+
+    The surface speed after the impact agrees to 1e-3 of its change during full sliding. With 1000
+    steps, this is the first-order error of the time at which the spring begins to slide.
     """
     table = tables(number)
     off = table["surface_speed"] - table["surface_speed_predicted"]
@@ -111,8 +115,10 @@ def test_sliding_is_rigid_body_theory(tables, number, tolerance):
 
 
 def test_equal_spheres_spinning_against_each_other_do_not_notice(tables):
-    """The surfaces of both spheres have the same velocity, so spins and paths change only by
-    round-off."""
+    """In benchmark 7, the surfaces of both spheres have the same velocity where they touch.
+
+    So spins and paths change only by round-off.
+    """
     table = tables(7)
     assert table["spin_after"].to_numpy() == pytest.approx(table["value"], rel=1e-14)
     assert table["spin_after_other"].to_numpy() == pytest.approx(table["value"], rel=1e-14)
@@ -143,7 +149,7 @@ def test_unequal_spheres_keep_momentum(tmp_path):
 
 
 def test_decks_start_as_theory_takes_them(tmp_path):
-    """The first frame has the motion, radius and mass of the case."""
+    """The first frame of each deck has the motion, radius and mass that the theory uses."""
     for number in range(1, 9):
         case = few(number)[0]
         trajectory = steps(case, tmp_path / case.deck_name)

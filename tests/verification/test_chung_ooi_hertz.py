@@ -42,7 +42,10 @@ def assert_same_steps(case: BenchmarkImpact, law: str, place, steps_per_contact:
 
 @pytest.mark.parametrize("number", range(1, 9))
 def test_unyielding_model_is_the_engines_hertz(number, tmp_path):
-    """Impacts are on planes and between spheres, damped and undamped, sticking and sliding."""
+    """Without yield, Vu-Quoc & Zhang's law equals LIGGGHTS' hertz in all eight benchmarks.
+
+    The impacts are on planes and between spheres, damped and undamped, sticking and sliding.
+    """
     for k, case in enumerate(middles(number)):
         assert_same_steps(case, LAW, tmp_path / str(k))
 
@@ -50,15 +53,20 @@ def test_unyielding_model_is_the_engines_hertz(number, tmp_path):
 @pytest.mark.parametrize("law", HERTZIAN)
 @pytest.mark.parametrize("number", [4, 8])
 def test_every_unyielding_law_is_the_engines_hertz(law, number, tmp_path):
-    """Impacts are on a plane and between spheres; the tangential spring alternately sticks and
-    slides."""
+    """Without yield, every law with Hertz' elastic contact equals LIGGGHTS' hertz.
+
+    The impacts are on a plane and between spheres; the tangential spring alternately sticks and
+    slides.
+    """
     knob = 15.0 if number == 4 else 2.0
     assert_same_steps(evolve(few(number)[0], value=knob), law, tmp_path)
 
 
 def test_tangential_dashpot_is_the_engines(tmp_path):
-    """The tangential dashpot is on, as by default. LIGGGHTS does not limit it to mu F, so a sliding
-    sphere loses over 10 % more momentum than mu times the normal impulse.
+    """The tangential dashpot of a law equals that of LIGGGHTS' hertz; it is on by default.
+
+    LIGGGHTS does not limit this dashpot to mu F, so a sliding sphere loses over 10 % more momentum
+    than mu times the normal impulse.
     """
     case = evolve(few(6)[0], value=5.0)
     found = {}

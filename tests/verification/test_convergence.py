@@ -13,11 +13,13 @@ from plastigran.materials import read_material
 
 
 def test_order_in_the_timestep(engine_law, aluminium, declared_jumps, tmp_path):
-    """The error is the rms error of restitution for six phases of the step in which the contact
-    begins; the error of a single impact changes sign with this phase. The order, fitted to steps
-    that differ by a factor of 16, is 2 within 0.25, because six phases scatter. The order is about
-    1 or more if the force jumps. It is 1 for rate-dependent laws, because LIGGGHTS uses the speed
-    of half a step earlier.
+    """The error of restitution is of second order in the time step.
+
+    It is the rms error for six phases of the step in which the contact begins; the error of a
+    single impact changes sign with this phase. The order, fitted to time steps that differ by a
+    factor of 16, is 2 within 0.25, because six phases scatter. The order is about 1 or more if the
+    force jumps. It is 1 for rate-dependent laws, because LIGGGHTS uses the speed of half a step
+    earlier.
     """
     # The impacts are well beyond yield, because elastic impacts have a higher order.
     if laws.LAWS[engine_law].shape == "sphere":

@@ -94,8 +94,11 @@ def test_the_deck_runs_until_the_cylinder_has_left(radius, speed, tmp_path):
 
 @pytest.mark.parametrize("name", CYLINDER_LAWS)
 def test_viscous_damping(name, tmp_path):
-    """Below yield, the dashpot 2 sqrt(5/6) beta sqrt(S m) acts in addition to the law; S is the
-    slope of the elastic force. The reference is the motion, integrated by scipy."""
+    """With `viscous_damping on`, a dashpot 2 sqrt(5/6) beta sqrt(S m) acts in addition to the law.
+
+    S is the slope of the elastic force, m the mass, and beta the damping ratio that follows from
+    the restitution. The impact is below yield. The reference is the motion, integrated by scipy.
+    """
     damped = ("xplane 0.0", "xplane 0.0 viscous_damping on")
     given = "fix r all property/global coefficientRestitution peratomtypepair 2 .8 .8 .8 .8"
     text = deck(wall=damped, given=("\npair_style", f"\nunfix restitution\n{given}\npair_style"))

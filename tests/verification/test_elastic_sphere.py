@@ -30,9 +30,12 @@ COUNT = 8
 
 
 def rayleigh_ritz(kind: str, degree: int, poissons_ratio: float, count: int) -> np.ndarray:
-    """Return the first values of k a by least energy of polynomials in r, without Bessel functions.
-    The displacement is (U Y, V r grad Y), or W for toroidal modes. By the minimum principle, the
-    n-th value is never below the n-th mode, so a missed mode would shift all higher ones.
+    """Return the lowest frequencies of the modes of a sphere by the method of Rayleigh and Ritz.
+
+    The frequencies are values of k a, with the wave number k of shear waves and the radius a. The
+    displacement is (U Y, V r grad Y), or W for toroidal modes, with a spherical harmonic Y. U, V
+    and W are polynomials in r of least energy, without Bessel functions. By the minimum principle,
+    the n-th value is never below the n-th mode, so a missed mode would shift all higher ones.
     """
     nodes, weights = leggauss(80)
     r, dr = (nodes + 1) / 2, weights / 2
@@ -74,8 +77,9 @@ def rayleigh_ritz(kind: str, degree: int, poissons_ratio: float, count: int) -> 
 @pytest.mark.parametrize("degree", [1, 2, 3, 7, 20])
 @pytest.mark.parametrize("poissons_ratio", RATIOS)
 def test_spheroidal_modes_are_those_of_least_energy(degree, poissons_ratio):
-    """All modes are found in order. They agree to a relative 1e-5, the error of the polynomials for
-    the highest mode.
+    """All spheroidal modes are found in order, and agree with those of `rayleigh_ritz`.
+
+    The relative tolerance 1e-5 is the error of the polynomials for the highest mode.
     """
     found = spheroidal_roots(degree, poissons_ratio, COUNT)
     expected = rayleigh_ritz("spheroidal", degree, poissons_ratio, COUNT)
@@ -116,7 +120,8 @@ def test_every_root_is_one_and_none_is_missed(degree):
 @pytest.mark.parametrize(
     ("found", "printed"),
     [
-        # k a/pi and, for radial modes, h a/pi, from Lamb 1882 as in Love 1927, art. 195-196.
+        # k a/pi and, for radial modes, h a/pi, from Lamb 1882 as in Love 1927, art. 195-196. k and
+        # h are the wave numbers of shear and compression waves.
         (lambda: toroidal_roots(1, 6), [1.8346, 2.8950, 3.9225, 4.9385, 5.9489, 6.9563]),
         (lambda: toroidal_roots(2, 6), [0.7961, 2.2715, 3.3469, 4.3837, 5.4059, 6.4209]),
         (lambda: radial_roots(0.25, 6), [0.8160, 1.9285, 2.9539, 3.9658, 4.9728, 5.9774]),
@@ -130,7 +135,11 @@ def test_lambs_and_loves_tables(found, printed):
 
 
 def test_toroidal_degree_one_is_the_textbook_equation():
-    """The equation is tan x = 3x/(3 - x^2); the shell rotates against the core."""
+    """Toroidal modes of degree 1 satisfy tan x = 3x/(3 - x^2), with x = k a.
+
+    In these modes, the shell rotates against the core. k is the wave number of shear waves, and a
+    the radius.
+    """
     for x in toroidal_roots(1, 5):
         assert np.tan(x) == pytest.approx(3 * x / (3 - x**2), rel=1e-10)
 
@@ -155,8 +164,9 @@ def test_incompressible_spheres_are_refused():
 
 @pytest.mark.parametrize("geometry", GEOMETRIES)
 def test_hertzian_collision_of_the_ice_sphere(geometry, tmp_path):
-    """Duration, largest force and overlap with LIGGGHTS' hertz agree with the closed forms to a
-    relative 1e-4. A tenth of the recommended step would reduce its error, 1e-3, further, but the
+    """Duration, largest force and overlap with LIGGGHTS' hertz agree with the closed forms.
+
+    The time step is a tenth of the recommended one. The relative tolerance is 1e-4, because the
     largest force is known only at the steps.
     """
     model = CentralImpact("hertz", 0.1, read_material("ice"), 0.01, geometry)

@@ -30,7 +30,7 @@ def overlaps() -> np.ndarray:
     0.41, lies in this range.
 
     For smaller overlaps, the force of Jackson and Green exceeds that of Hertz, because it jumps at
-    1.9.
+    1.9 yield overlaps.
     """
     pressure = 1.295 * exp(0.736 * 0.3) * STEEL.yield_strength
     overlap_y = RADIUS * (pi * pressure / (2 * bodies(0).youngs_modulus_eff)) ** 2
@@ -48,9 +48,10 @@ def test_without_hardening_it_is_jackson_and_green(other):
 
 
 def test_hardening_brings_it_to_hertz():
-    """With the tangent modulus, force increases and contact radius decreases towards those of
-    Hertz. While the hardness hardly changes, the force increases by a share 1 - exp(-3.3 E_t/E), as
-    in the source.
+    """With a larger tangent modulus, force and contact radius approach those of Hertz.
+
+    The force increases, and the contact radius decreases. While the hardness hardly changes, the
+    force covers the share 1 - exp(-3.3 E_t/E) of the way to Hertz' force, as in the source.
     """
     hertz = laws.Hertz(bodies(0))
     for name, rising in (("force", True), ("contact_radius", False)):

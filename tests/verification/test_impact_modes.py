@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Modes that a normal impact can excite."""
+"""Vibration modes of a sphere that a normal impact can excite."""
 
 from __future__ import annotations
 
@@ -12,8 +12,9 @@ ICE = (9.3e9, 0.25, 900.0, 0.01)
 
 
 def test_all_modes_but_the_toroidal_ones_are_there():
-    """The reference table contains all modes below the highest frequency, 255 kHz, because it has
-    more degrees and overtones than these modes need.
+    """`impact_modes` returns all modes up to a frequency, here 255 kHz, except the toroidal ones.
+
+    The reference table contains all of them, because it has more degrees and overtones than needed.
     """
     table = sphere_modes(*ICE, degrees=range(8), overtones=4)
     table = table[(table["kind"] != "toroidal") & (table["frequency"] <= 255e3)]

@@ -22,7 +22,9 @@ PRESSES = [
 
 @pytest.mark.parametrize("table", PRESSES)
 def test_force_is_lammps(table):
-    """The path is loading, partial unloading, further loading and unloading. Forces agree to a
+    """The force of `mdr` equals that of LAMMPS' own `normal mdr` along a path.
+
+    The path is loading, partial unloading, further loading and unloading. Forces agree to a
     relative 1e-6, or to 1e-8 of the largest force near the end of unloading, where overlaps nearly
     cancel.
     """

@@ -23,7 +23,7 @@ INCREMENTAL = [0.8628, 0.8538, 0.8303, 0.7346, 0.6424, 0.6127, 0.6577]
 
 
 def contact(law: str = "hertz", body: laws.Body = ELASTIC, **settings: object) -> Contact:
-    """Return two equal spheres of 5 mm."""
+    """Return the contact of two equal spheres with a diameter of 5 mm."""
     return Contact(law, body, body, radius=2.5e-3, mass_eff=1e-4, friction=0.1, **settings)
 
 

@@ -49,8 +49,10 @@ def sheared(shifts: np.ndarray) -> np.ndarray:
 
 
 def test_a_contact_sheared_under_a_constant_force_is_cattaneos():
-    """The force is T = mu F (1 - (1 - s/s_max)^(3/2)) with s_max = mu E*/(4 G*) overlap (Cattaneo
-    1938)."""
+    """A first shear displacement s gives the force T = mu F (1 - (1 - s/s_max)^(3/2)).
+
+    The contact begins to slide at s_max = mu E*/(4 G*) overlap (Cattaneo 1938).
+    """
     share = np.linspace(0.02, 0.98, 25)
     moved = np.diff(share, prepend=0) * FRICTION * 1.1
     # Rings represent this contact exactly, so only round-off remains.
@@ -62,8 +64,10 @@ def test_beyond_its_reach_it_slides_at_the_limit_of_friction():
 
 
 def test_sheared_back_it_follows_mindlin_and_deresiewicz():
-    """The curve has the form of first shear at twice the scale, T* - 2 mu F (1 - (1 - ds/(2
-    s_max))^1.5) (Mindlin & Deresiewicz 1953, J. Appl. Mech. 20:327).
+    """Reversed shear follows the curve of first shear at twice the scale.
+
+    After a reversal at the force T*, a displacement ds back gives the force
+    T* - 2 mu F (1 - (1 - ds/(2 s_max))^1.5) (Mindlin & Deresiewicz 1953, J. Appl. Mech. 20:327).
     """
     reach = FRICTION * 1.1
     back = np.linspace(0.05, 1.0, 12)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A yield strength that grows with the strain rate of the impact, without LIGGGHTS."""
+"""Laws whose yield strength grows with the strain rate of the impact, tested without LIGGGHTS."""
 
 from __future__ import annotations
 
@@ -29,8 +29,10 @@ def stronger(factor: float, **rate: float) -> laws.MaterialPair:
 
 
 def test_factor():
-    """The factor is 1 + C ln(rate/reference) with the rate v/R, rounded to 1e-4, and 1 up to the
-    reference rate."""
+    """The rate factor is 1 + C ln(rate/reference), with the rate coefficient C and the rate v/R.
+
+    It is rounded to 1e-4, and is 1 up to the reference rate.
+    """
     speed = np.array([0.0, 1e-5, 1e-4, 2e-4, 0.1, 100.0])
     found = laws.rate_factor(PAIR, RADIUS, speed)
     assert (found[:3] == 1).all()
@@ -57,7 +59,7 @@ def test_impact_is_that_of_the_strength_at_its_rate(name, speed, law_between):
 
 
 def test_given_hardness_grows_too():
-    """A constant in Pa is a pressure of plastic flow, so the rate factor multiplies it."""
+    """The rate factor also multiplies constants in Pa, such as a hardness that the user gives."""
     factor = laws.rate_factor(PAIR, RADIUS, 0.2)
     found = laws.Brake2015(PAIR, indentation_pressure=3e8).central_impact(RADIUS, MASS, 0.2)
     hard = laws.Brake2015(stronger(factor), indentation_pressure=factor * 3e8)

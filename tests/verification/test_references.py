@@ -108,8 +108,10 @@ def test_force_on_a_path(twins):
 
 
 def test_contact_radius(twins):
-    """The radius is compared during first loading, and where 0.6 of the unloading curve remains.
-    The relative tolerance on unloading is 1e-6, because the reference uses finite differences.
+    """Law and reference have the same contact radius.
+
+    It is compared during first loading, and where 0.6 of the unloading curve remains. The relative
+    tolerance during unloading is 1e-6, because the reference uses finite differences.
     """
     name, law, reference = twins
     if type(reference).contact_radius is Contact.contact_radius:

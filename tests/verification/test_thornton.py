@@ -34,8 +34,10 @@ def test_restitution_closed_form(paper_pair, paper_mass):
 
 
 def test_yield_speed_constant(paper_pair, paper_mass):
-    """The yield speed is 3.194 (p_y^5 R*^3/(E*^4 m*))^(1/2), and 1.66963e-3 m/s for the paper's
-    sphere."""
+    """The yield speed is 3.194 (p_y^5 R*^3/(E*^4 m*))^(1/2) with the yield pressure p_y.
+
+    For the sphere of Zhang & Vu-Quoc (2002), it is 1.66963e-3 m/s.
+    """
     p, e = paper_pair.yield_pressure, paper_pair.youngs_modulus_eff
     found = central.yield_speed(paper_pair, 0.1, paper_mass)
     assert found == pytest.approx(3.193847 * np.sqrt(p**5 * 0.1**3 / (e**4 * paper_mass)), rel=1e-6)

@@ -29,7 +29,7 @@ STATED = {
     "mdr": 1.1e-3,
 }
 RADIUS, MASS = 0.01, 4 / 3 * pi * 0.01**3 * 2500
-#: K_c P_Y of the law of Vu-Quoc & Zhang.
+#: Default of the curvature coefficient of `vu_quoc_zhang`, K_c times the yield force P_Y.
 GROWTH = 0.00980426
 LAWS = [
     name
@@ -72,7 +72,10 @@ def restitution(law, speed: float, step: float, phase: float) -> float:
 
 @pytest.mark.parametrize("name", LAWS)
 def test_restitution_at_the_recommended_step(name):
-    """The error stays within its limit, also if the force jumps, which shortens the time step."""
+    """The error of restitution stays within its limit at the recommended time step.
+
+    This also holds if the force jumps, for which the recommended time step is shorter.
+    """
     worst = 0.0
     for law, speed in impacts(name, 40, seed=3):
         exact = law.central_impact(RADIUS, MASS, speed).coefficient_of_restitution
@@ -85,7 +88,7 @@ def test_restitution_at_the_recommended_step(name):
 @pytest.mark.parametrize("strength", [1e-7, 1e-6, 1e-5, 1e-4])
 @pytest.mark.parametrize("speed", [1e-2, 1.0, 100.0])
 def test_step_where_the_rebound_is_short(strength, speed):
-    """The recommended step is 0.1 sqrt(m/slope) with the slope of unloading.
+    """The recommended time step is 0.1 sqrt(m/slope), with the slope of the unloading curve.
 
     Far beyond yield, Vu-Quoc & Zhang's law recovers as little as 1e-14 of the overlap. With
     a_e^3 = 3 F R*/(4 E*) and a_e^2 = C R* (overlap - overlap_res), the slope of unloading is 2 E* C
@@ -104,7 +107,7 @@ def test_step_where_the_rebound_is_short(strength, speed):
 
 @pytest.mark.parametrize("name", LAWS)
 def test_step_is_positive(name):
-    """The step is positive even for metals and impacts far beyond the range of the law."""
+    """The recommended time step is positive even far beyond the validity range of the law."""
     for strength in np.geomspace(1e-7, 0.1, 25):
         body = laws.Body(youngs_modulus=7e10, poissons_ratio=0.3, yield_strength=7e10 * strength)
         law = laws.LAWS[name](laws.combine(body, RIGID))

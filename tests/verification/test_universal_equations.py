@@ -23,8 +23,11 @@ def yield_overlap(pair: laws.MaterialPair) -> float:
 
 
 def test_the_compiled_law_has_the_equations_of_the_fit():
-    """The law in C++ and the equations in Python are separate. They agree to round-off for every
-    metal of the table, also for hardening and large a/R."""
+    """The compiled law agrees with the Python equations of its fit, to round-off.
+
+    Both are separate code. They are compared for every metal of the table, also for hardening and
+    large a/R.
+    """
     constants = fit(table())
     for _, rows in table().groupby("metal"):
         pair = SphereMetal.of(rows.iloc[0]).pair
@@ -51,7 +54,10 @@ def test_force_and_slope_are_continuous_at_yield():
 @pytest.mark.parametrize("yield_strength_ratio", [1e-6, 1e-3, 0.05, 0.3])
 @pytest.mark.parametrize("poissons_ratio", [0.0, 0.3, 0.4999])
 def test_force_and_plastic_work_never_decrease_during_loading(yield_strength_ratio, poissons_ratio):
-    """This holds up to overlaps of two radii. Restitution is therefore at most 1 at any speed."""
+    """Force and plastic work of `universal` never decrease during loading, up to d = 2 R.
+
+    Restitution is therefore at most 1 at any speed. d is the overlap, and R the radius.
+    """
     for slope, mirrored in product((0.0, 0.01, 0.2, 0.999), (False, True)):
         body = laws.Body(7e10, poissons_ratio, yield_strength_ratio * 7e10, 0, slope * 7e10)
         pair = laws.combine(body, body if mirrored else RIGID)

@@ -39,7 +39,10 @@ def restitution(number: float) -> float:
 
 @pytest.mark.parametrize("number", [0.05, 0.3, 0.6, 1.0, 2.0, 4.0])
 def test_impact_is_the_equation_of_motion(number):
-    """Two integrators with different variables agree to a relative 1e-9."""
+    """The restitution of the law equals that of its equation of motion, to a relative 1e-9.
+
+    The law and the reference integrate this equation with different variables.
+    """
     rate = motion(number**2).y[1]
     assert restitution(number) == pytest.approx(-rate[-1], rel=1e-9)
 
@@ -55,7 +58,10 @@ def test_impact_is_the_equation_of_motion(number):
     ],
 )
 def test_pade_form_is_as_good_as_it_is(number, off, digit):
-    """The Padé form exceeds the equation of motion by the amount that docs/laws states."""
+    """The published Padé form of restitution has the error that docs/laws states.
+
+    It exceeds the restitution of the equation of motion.
+    """
     found = float(central.viscoelastic_restitution(number)) / restitution(number) - 1
     assert found == pytest.approx(off, abs=digit)
 
@@ -107,8 +113,10 @@ def test_spheres_part_before_they_stop_overlapping_and_never_pull():
 
 
 def test_energy_ledger_closes():
-    """At every time, the work on the contact equals elastic plus dissipated energy, and the
-    dissipated energy grows. The tolerance is 1e-6 of the largest work, the error of Simpson's rule.
+    """On any path, the work on the contact equals elastic plus dissipated energy.
+
+    The dissipated energy grows. The tolerance is 1e-6 of the largest work, the error of Simpson's
+    rule.
     """
     number, contact = 0.6, law(0.6)
     overlap_unit = (MASS * SPEED**2 / (4 / 3 * PAIR.youngs_modulus_eff * sqrt(RADIUS))) ** 0.4

@@ -23,7 +23,7 @@ def law(paper_pair):
 
 
 def test_yield_force_is_the_papers(law):
-    """The paper prints 36.45 N; its formula gives 36.4471 N."""
+    """The yield force is that of the paper: it prints 36.45 N, and its formula gives 36.4471 N."""
     assert law.yield_force(RADIUS) == pytest.approx(36.4471, rel=2e-6)
 
 
@@ -41,9 +41,11 @@ def test_default_constants_are_the_papers():
 @settings(max_examples=max(100, settings.default.max_examples))
 @given(turns=st.lists(st.floats(0, 1), min_size=1, max_size=6))
 def test_follows_the_paper_on_any_path(turns):
-    """The path has loading, unloading and reloading up to 300 P_Y. Forces agree to 3e-6 of the
-    largest force. The constants of the header have six digits, and near the residual overlap the
-    force is a difference to the power 3/2.
+    """The force follows the equations of the paper on random paths of loading and unloading.
+
+    The paths reach up to 300 times the yield force. Forces agree to 3e-6 of the largest force. The
+    constants of the header have six digits, and near the residual overlap the force is a difference
+    to the power 3/2.
     """
     pair = laws.combine(laws.Body(7e10, 0.3, 1e8, 1.61), laws.Body(1e30, 0.3, 1e30, 1.61))
     reach = PAPER.overlap_under(300 * P_Y)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The wheel in an environment without LIGGGHTS and without the source tree.
+"""The wheel works in an environment without LIGGGHTS and without the source tree.
 
 The environment uses the libraries of the environment that runs the tests. `./run wheel` creates
-another one with downloaded libraries, and passes it in $PLASTIGRAN_WHEEL_VENV.
+another environment with downloaded libraries, and passes it in $PLASTIGRAN_WHEEL_VENV.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ except Exception as error:
 
 
 def free_of_the_project() -> dict[str, str]:
-    """Return the environment variables without LIGGGHTS and without a path to this tree."""
+    """Return environment variables without paths to LIGGGHTS or to the folder of this project."""
     variables = {k: v for k, v in os.environ.items() if not k.startswith(("PLASTIGRAN", "PYTHON"))}
     return variables | {"PATH": "/usr/bin:/bin", "MPLBACKEND": "agg"}
 
@@ -76,7 +76,7 @@ def here(wheel, tmp_path_factory) -> Path:
         [sys.executable, "-m", "pip", "--python", folder / "bin/python", *install], check=True
     )
     # Python searches the folders of a .pth file after the folder of the wheel. It ignores .pth
-    # files in these folders, one of which has the path to this tree.
+    # files in these folders, one of which has the path to the folder of this project.
     (target / "libraries.pth").write_text("\n".join(site.getsitepackages()) + "\n")
     return folder
 

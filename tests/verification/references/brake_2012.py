@@ -1,10 +1,14 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """M. R. Brake, Int. J. Solids Struct. 49 (2012) 3129.
 
+d is the overlap, F the force, a the contact radius, and P0 = 2.8 Y the hardness, with the yield
+strength Y. Index m is for the largest overlap; d_r is the residual overlap, and
+y = (d - d_r)/(d_m - d_r).
+
 Yield is at d_y = R* (pi p_y/2E*)^2. The contact is fully plastic from a_p = 3 pi P0 R*/(4 E*) and
 d_p = a_p^2/R*: F = pi P0 a^2, a^2 = 2 R* d - a_p^2. Between d_y and d_p, F and a are cubics with
 the values and slopes at both ends. Unloading starts with the contact area at the largest overlap:
-d_m - d_r = 3 F_m/(4 E* a_m), F = F_m y^1.5. P0 = 2.8 Y.
+d_m - d_r = 3 F_m/(4 E* a_m), F = F_m y^1.5.
 """
 
 from __future__ import annotations

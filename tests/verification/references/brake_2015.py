@@ -2,6 +2,9 @@
 """M. R. Brake, Int. J. Solids Struct. 62 (2015) 104; Ghaednia et al., Int. J. Impact Eng. 86 (2015)
 307, eqs 28-31.
 
+d is the overlap, F the force (F_H: of Hertz), and a the contact radius. Index m is for the largest
+overlap; d_r is the residual overlap, and y = (d - d_r)/(d_m - d_r).
+
 Yield is at d_y = R* (pi p_y/2E*)^2. With d_p = R* (3 pi P0/2E*)^2, a_p^2 = 2 R* d_p and
 s = (d - d_y)/(d_p - d_y),
 
@@ -9,8 +12,8 @@ s = (d - d_y)/(d_p - d_y),
     d_r = d_m (1 - F_m/F_H(d_m)), not below 0,  F = F_m y^1.5
     a^2 = R* d (2 - sech((n - 1) s))
 
-P0 = 2.8 Y, and Meyer's index n is 2 or another value. The source has no contact radius; a is the
-contact radius of this package.
+P0 = 2.8 Y is the hardness, with the yield strength Y. Meyer's index n is 2 or another value. The
+source has no contact radius; a is the contact radius of this package.
 """
 
 from __future__ import annotations

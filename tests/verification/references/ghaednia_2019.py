@@ -1,16 +1,18 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """H. Ghaednia, M. R. W. Brake, M. Berryhill & R. L. Jackson, J. Tribol. 141 (2019) 031402.
 
-The metal has a tangent modulus E_t, with e = E_t/E; d_c, F_c, a_p and H/Y are those of Jackson &
-Green. Beyond x = 1.9:
+The metal has a tangent modulus E_t, with e = E_t/E. d is the overlap, F the force (F_H: of Hertz),
+a the contact radius, and Y the yield strength. The overlap d_c at yield, x = d/d_c, the contact
+radius a_p and the hardness H are those of Jackson & Green. Beyond x = 1.9:
 
     F = F_p + (F_H - F_p)(1 - exp(-3.3 e)),  F_p by Jackson & Green, with H at the following a:
     a = a_e + (a_p - a_e) exp(U),  a_e = sqrt(R* d)
     U = -2 sqrt(E/Y) e^(1 - (d - d_c)/R*) / ((4 - 3 exp(-2 sqrt(E/Y) e)) (1 - e)), 0 for e = 0
 
-Unloading follows Brake, Int. J. Solids Struct. 62 (2015) 104: d_r = d_m (1 - F_m/F_H(d_m)), then
-Hertz with the radius that gives F_m at d_m. With `unloading
-etsion_2005`, unloading follows Etsion, Kligerman & Kadin, Int. J. Solids Struct. 42 (2005) 3716.
+Unloading from the largest overlap d_m to the residual overlap d_r follows Brake, Int. J. Solids
+Struct. 62 (2015) 104: d_r = d_m (1 - F_m/F_H(d_m)), then Hertz with the radius that gives F_m at
+d_m. With the option `unloading etsion_2005`, unloading follows Etsion, Kligerman & Kadin, Int. J.
+Solids Struct. 42 (2005) 3716.
 """
 
 from __future__ import annotations

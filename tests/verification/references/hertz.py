@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Hertz (1881): F = 4/3 E* sqrt(R*) d^1.5, without loss of energy."""
+"""Hertz (1881): the force is F = 4/3 E* sqrt(R*) d^1.5 at an overlap d, without loss of energy."""
 
 from __future__ import annotations
 

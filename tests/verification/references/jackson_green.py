@@ -3,6 +3,9 @@
 Marghitu, Nonlinear Dyn. 60 (2010) 217; hardness of Ghaednia et al., Int. J. Impact Eng. 86 (2015)
 307, eqs 9-14.
 
+d is the overlap, F the force, a the contact radius, Y the yield strength, and H the hardness. Index
+m is for the largest overlap; d_r is the residual overlap, and y = (d - d_r)/(d_m - d_r).
+
 C = 1.295 e^(0.736 nu), d_c = R* (pi C Y/2E*)^2, F_c = 4/3 E* sqrt(R*) d_c^1.5, x = d/d_c. Beyond
 x = 1.9:
 

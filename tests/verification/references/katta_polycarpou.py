@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """R. R. Katta & A. A. Polycarpou, J. Tribol. 132 (2010): loading of Lim & Stronge, new unloading.
 
+d is the overlap, F the force, and a the half-width of the contact of a cylinder of radius R. Index
+m is for the largest overlap; d_r is the residual overlap.
+
     d_r = a_r^2/(2 R_b),  a_r^2 = a_m^2 - a_el^2,  a_el^2 = 4 q_m/(1/R + 1/R_b)
     x = y (1 - ln(y)/C'),  C' = ln(4 D^2/a_m^2) - kappa
 
-with x = (d - d_r)/(d_m - d_r) and, unlike in contact.py, y = F/F_m. D, R_b, q and kappa are those
-of lim_stronge.py.
+with x = (d - d_r)/(d_m - d_r) and, unlike in contact.py, y = F/F_m. The thickness D, the radius R_b
+of the crater, q and kappa are those of lim_stronge.py.
 """
 
 from __future__ import annotations

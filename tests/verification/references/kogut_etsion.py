@@ -2,7 +2,10 @@
 """L. Kogut & I. Etsion, J. Appl. Mech. 69 (2002) 657; unloading of Etsion, Kligerman & Kadin, Int.
 J. Solids Struct. 42 (2005) 3716; Ghaednia et al., Int. J. Impact Eng. 86 (2015) 307, eqs 15-19.
 
-K = 0.454 + 0.41 nu, H = 2.8 Y, d_c = R* (pi K H/2E*)^2, F_c = 2/3 pi K H R* d_c, x = d/d_c:
+d is the overlap, F the force, Y the yield strength, and H = 2.8 Y the hardness. Index m is for the
+largest overlap; d_r is the residual overlap, and y = (d - d_r)/(d_m - d_r).
+
+K = 0.454 + 0.41 nu, d_c = R* (pi K H/2E*)^2, F_c = 2/3 pi K H R* d_c, x = d/d_c:
 
     F/F_c = x^1.5 up to 1, 1.03 x^1.425 up to 6, then 1.40 x^1.263
     d_r = d_m (1 - x_m^-0.28) (1 - x_m^-0.69),  F = F_m y^n,  n = 1.5 x_m^-0.0331

@@ -2,7 +2,9 @@
 """L. Kogut & K. Komvopoulos, J. Mater. Res. 19 (2004) 3641; Ghaednia et al., Int. J. Impact Eng. 86
 (2015) 307, eqs 20-22.
 
-With r'^2 = d (2R* - d) and t = d/r', the contact is Hertzian up to (E*/Y) t = 1.78, then
+d is the overlap, F the force, and Y the yield strength. Index m is for the largest overlap; d_r is
+the residual overlap, and y = (d - d_r)/(d_m - d_r). With r'^2 = d (2R* - d) and t = d/r', the
+contact is Hertzian up to (E*/Y) t = 1.78, then
 
     F = pi r'^2 Y (0.839 + ln((E*/Y)^0.656 t^0.651))/(2.192 - ln((E*/Y)^0.394 t^0.419))
     d_m - d_r = 0.591 (E*/Y)^-0.156 d_m,  F = F_m y^1.5

@@ -2,7 +2,9 @@
 """C. T. Lim & W. J. Stronge, Math. Comput. Model. 28 (1998) 323, as collected in R. R. Katta & A.
 A. Polycarpou, J. Tribol. 132 (2010): a rigid cylinder of length L on a body of thickness D.
 
-With q = F/(pi E* L) and kappa = nu/(1 - nu):
+d is the overlap, F the force, a the half-width of the contact, R the radius of the cylinder, and Y
+the yield strength of the body. Index Y is for yield, index m for the largest overlap; d_r is the
+residual overlap, and R_b the radius of the crater. With q = F/(pi E* L) and kappa = nu/(1 - nu):
 
     elastic   d = q (ln(4 D^2/a^2) - kappa), a^2 = 4 q R  (Johnson, Contact Mechanics, sec. 5.6)
     yield     at a mean pressure of 1.5 Y: a_Y = 12 Y R/(pi E*)

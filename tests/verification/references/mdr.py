@@ -2,8 +2,9 @@
 """W. Zunker & K. Kamrin, J. Mech. Phys. Solids 183 (2024) 105492, a single contact without
 adhesion.
 
-A sphere on a rigid flat is mapped to an elliptical indenter of height A and width B. It sinks by
-d_e into a bed of springs with E' = E/(1 - nu^2):
+d is the overlap of a sphere of radius R and a rigid flat, F the force, a the contact radius, Y the
+yield strength, and G the shear modulus. The sphere is mapped to an elliptical indenter of height A
+and width B. It sinks by d_e into a bed of springs with E' = E/(1 - nu^2):
 
     F = E' A B/4 [acos(1 - 2 d_e/A) - (1 - 2 d_e/A) sqrt(4 d_e/A - 4 d_e^2/A^2)]
 

@@ -1,11 +1,16 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """W. J. Stronge, Impact Mechanics, Cambridge University Press (2000), ch. 6.
 
+d is the overlap, F the force, a the contact radius, and Y the yield strength. Index Y is for yield,
+index m for the largest overlap; d_r is the residual overlap, and y = (d - d_r)/(d_m - d_r).
+
 Yield is at a mean pressure of 1.1 Y: a_Y = 3 pi/4 1.1 Y R*/E*, d_Y = a_Y^2/R*, F_Y = 1.1 Y pi
 a_Y^2. With q = 2 d/d_Y - 1, the force is F_Y q (1 + ln q/3.3) up to a mean pressure of 2.8 Y, which
-then stays constant. Unloading is F = F_m y^1.5 with d_m - d_r = d_Y sqrt(q_m) in the book. With
-`unloading area`, d_m - d_r is 3 F_m/(4 E* a_m) with a_m^2 = q_m a_Y^2. With `unloading
-original_radius`, it is (3 F_m/(4 E* sqrt(R*)))^(2/3). d_r is at least 0.
+then stays constant.
+
+Unloading is F = F_m y^1.5 with d_m - d_r = d_Y sqrt(q_m) in the book. With the option `unloading
+area`, d_m - d_r is 3 F_m/(4 E* a_m) with a_m^2 = q_m a_Y^2. With `unloading original_radius`,
+d_m - d_r is (3 F_m/(4 E* sqrt(R*)))^(2/3). d_r is at least 0.
 """
 
 from __future__ import annotations

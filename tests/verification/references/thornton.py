@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """C. Thornton, J. Appl. Mech. 64 (1997) 383.
 
+d is the overlap, F the force, a the contact radius, and p_y the yield pressure. Index y is for
+yield, index m for the largest overlap; d_r is the residual overlap, and y = (d - d_r)/(d_m - d_r).
+
 Beyond d_y = R* (pi p_y/2E*)^2, the force grows linearly: F = F_y + pi p_y R* (d - d_y). Unloading
-starts with the contact area at the largest overlap: d_m - d_r = 3 F_m/(4 E* a_m), a_m^2 = R* d_m, F
-= F_m y^1.5.
+starts with the contact area at the largest overlap: d_m - d_r = 3 F_m/(4 E* a_m), a_m^2 = R* d_m,
+and F = F_m y^1.5.
 """
 
 from __future__ import annotations

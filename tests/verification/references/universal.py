@@ -2,6 +2,9 @@
 """Equations of docs/laws/universal.md for a perfectly plastic sphere of radius R and modulus E' on
 a rigid plane.
 
+d is the overlap, F the force, a the contact radius, and p_y the yield pressure. Index m is for the
+largest overlap; d_r is the residual overlap, and y = (d - d_r)/(d_m - d_r).
+
 d_y = R (pi p_y/2E')^2, with Hertz' F_y and a_y at d_y; t = sqrt(d/d_y), s = t - 1, r = a_y/R; w is
 p_y divided by p_y(nu = 0.3) at the same yield strength:
 
@@ -43,7 +46,7 @@ class Reference(CentralImpact):
         return t * (6.791 + w * (t - 1)) / (6.791 + t - 1) - 1
 
     def wide(self, depth):
-        """Return Z."""
+        """Return Z of the module docstring, which is zero for a yielding flat."""
         flat = self.reading == "yielding flat"
         a = 0 * depth if flat else sqrt(self.overlap_y / self.radius) * depth
         return a**2 / (1 + a)

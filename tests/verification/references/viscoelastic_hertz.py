@@ -3,13 +3,14 @@
 53 (1996) 5382.
 
 The force is F = rho_k (d^1.5 + 1.5 A sqrt(d) d') with rho_k = 4/3 E* sqrt(R*), until it vanishes.
-In units of the impact speed v and of the length (m v^2/rho_k)^(2/5), the motion depends only on b =
-1.5 A (rho_k/m)^(2/5) v^(1/5) = v*^2:
+d is the overlap, d' its rate, A the dissipative constant [s], and m the mass. In units of the
+impact speed v and of the length (m v^2/rho_k)^(2/5), the motion depends only on b = 1.5 A
+(rho_k/m)^(2/5) v^(1/5) = v*^2:
 
     d'' = -f,  f = sqrt(d) (d + b d')
 
-The outcome does not follow from energies by quadrature. So the second computation uses r = d'/d as
-variable instead of time.
+The outcome does not follow from energies by quadrature, because the force depends on the rate. The
+second computation therefore uses r = d'/d as variable instead of time.
 """
 
 from __future__ import annotations

@@ -2,7 +2,9 @@
 """L. Vu-Quoc & X. Zhang, Proc. R. Soc. A 455 (1999) 4013; X. Zhang & L. Vu-Quoc, Int. J. Impact
 Eng. 27 (2002) 317, eqs 4.1-4.9, written for the total overlap.
 
-The law gives the overlap as a function of the force. Beyond P_Y = pi^3 R*^2 p_y^3/(6 E*^2):
+The law gives the overlap d as a function of the force F. p_y is the yield pressure. Index m is for
+the largest overlap; d_r is the residual overlap, and y = (d - d_r)/(d_m - d_r). Beyond the yield
+force P_Y = pi^3 R*^2 p_y^3/(6 E*^2):
 
     d = (a_e + a_p)^2/(C_R R*),  a_e^3 = 3 F R*/(4 E*),  a_p = C_a (F - P_Y),
     C_R = 1 + K_c (F - P_Y)

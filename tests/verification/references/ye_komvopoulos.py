@@ -2,6 +2,8 @@
 """N. Ye & K. Komvopoulos, J. Tribol. 125 (2003) 685; Ghaednia et al., Int. J. Impact Eng. 86 (2015)
 307, eqs 23-27.
 
+d is the overlap, F the force, A the contact area, p the mean pressure, and Y the yield strength.
+Index m is for the largest overlap, and y = (d - d_r)/(d_m - d_r) with the residual overlap d_r.
 With r'^2 = d (2R* - d) and Q = (E*/Y) d/r', the contact is Hertzian up to Q = 1.78, then F = p A:
 
     p = Y (0.70 ln Q + 0.66), from Q = 21 on 2.9 Y
