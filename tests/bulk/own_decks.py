@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Decks and folders of runs that the tests of users' decks share."""
+"""Decks, and folders of finished runs, that the tests of users' decks share."""
 
 from __future__ import annotations
 

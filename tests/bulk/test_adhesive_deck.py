@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Energy shares of a run with adhesion: the deck of docs/adhesion.md with the energy balance."""
+"""Energy terms of a run with adhesion: the deck of docs/adhesion.md with the energy balance."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def test_shares_of_adhesion_complete_the_energy_input(tmp_path):
     shares = {curve.name: curve.y for curve in chart.views[""][0].curves}
     names = {"kinetic energy", "elastic energy in contacts", "surface energy of contacts"}
     assert set(shares) == names | {"loss by adhesion"}
-    # The balance error is below 0.2 % of the input.
+    # The balance error is below 0.2 % of the energy input.
     assert sum(shares.values()) == pytest.approx(1, abs=2e-3)
     assert min(shares["surface energy of contacts"]) < 0
     assert "the surface energy of contacts is negative" in chart.caption

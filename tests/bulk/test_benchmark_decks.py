@@ -51,15 +51,21 @@ def test_rate_of_a_steady_discharge():
 
 
 def test_levels_of_the_drum():
-    """A bed that fills half of the cross section reaches the axis; both layers lie below it."""
+    """The surface height of a bed in a drum follows from the area of its cross section.
+
+    A bed that fills half of the cross section reaches the axis. Both layers of the deck
+    `mixing_drum` lie below the axis.
+    """
     drum = deck("mixing_drum")
     assert drum.level(pi * 0.1**2 / 2) == pytest.approx(0, abs=1e-12)
     assert -0.1 < drum.level(drum.areas[0]) < drum.level(sum(drum.areas)) < 0
 
 
 def test_yield_strengths_give_the_restitutions_of_the_benchmark():
-    """The restitution at 1 m/s is 0.5 for grains M1 and 0.4 for grains M2. The tolerance is 1e-3,
-    because the yield strengths have three digits.
+    """The yield strengths of the deck `mixing_drum` give the restitution that the benchmark states.
+
+    At 1 m/s, it is 0.5 for grains of the material M1 and 0.4 for those of M2. The tolerance is
+    1e-3, because the yield strengths have three digits.
     """
     drum = deck("mixing_drum")
     grains = (

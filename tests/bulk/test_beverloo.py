@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Beverloo's law, the rate of a discharge, and fits of C and k, on synthetic data."""
+"""Beverloo's law of discharge, measured rates, and fits of its constants C and k to known data."""
 
 from __future__ import annotations
 
@@ -18,7 +18,11 @@ MASS = pi / 6 * DIAMETER**3 * DENSITY
 
 
 def test_rate_grows_with_the_power_five_halves_of_the_opening():
-    """W = 0.58 rho_b sqrt(g) (D0 - 1.4 d)^(5/2); twice the opening gives 2^2.5 times the rate."""
+    """The discharge rate follows Beverloo's law W = 0.58 rho_b sqrt(g) (D0 - 1.4 d)^(5/2).
+
+    rho_b is the bulk density, D0 the orifice diameter, and d the grain diameter. Twice the opening
+    D0 - 1.4 d gives 2^2.5 times the rate.
+    """
     rate = discharge_rate(0.064, DIAMETER, 900.0, GRAVITY, *SPHERES)
     assert rate == pytest.approx(0.58 * 900 * 9.81**0.5 * 0.05**2.5, rel=1e-12)
     assert discharge_rate(0.114, DIAMETER, 900.0, GRAVITY, *SPHERES) == pytest.approx(2**2.5 * rate)

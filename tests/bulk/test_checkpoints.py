@@ -74,7 +74,7 @@ def test_incomplete_checkpoint_is_not_the_newest(short_gas, ranks, tmp_path):
 
 
 def test_missing_checkpoint_is_an_error(tmp_path):
-    """Without a log and without a complete checkpoint, there is an error."""
+    """A run cannot continue from a folder without a log and without a complete checkpoint."""
     (tmp_path / "checkpoint.100.restart").write_bytes(b"half")
     with pytest.raises(EngineError, match="no complete checkpoint"):
         newest_checkpoint(tmp_path)

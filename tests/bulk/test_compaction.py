@@ -44,7 +44,7 @@ def test_loop(pressed):
 
     Most of the densification is permanent; a part springs back.
     """
-    assert pressed.passed  # a check compares the work of the punch
+    assert pressed.passed  # one check compares the work of the punch with force times travel
     touch, peak, released = loop_of(pressed)
     # The relative density changes by up to 2e-3 between two rows of the series, and the lowest
     # position of the punch lies between two rows.

@@ -33,7 +33,7 @@ def test_follows_mean_field(yielding_gas):
 
 
 def test_viscoelastic_gas(tmp_path):
-    """A gas with a viscoelastic law cools from its initial temperature, 16.
+    """A gas with a viscoelastic law cools from its initial granular temperature, 16 m^2/s^2.
 
     The deck first mixes the grains without dissipation, so the temperature does not change
     before step 0.

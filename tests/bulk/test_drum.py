@@ -46,7 +46,7 @@ def test_missing_dissipation_is_noticed(turned):
 def test_fewer_rows_widen_the_limit_of_the_lever_arm(turned):
     """The check of the lever arm allows for the error of the trapezoidal rule.
 
-    With every 32nd row, this error is 3e-3 of the work, more than LEVER_ARM.
+    With every 32nd row, this error is 3e-3 of the work, which exceeds the usual limit LEVER_ARM.
     """
     sparse = read_series(turned.folder).iloc[::32].reset_index(drop=True)
     analysis = turned.deck.analyse(sparse)

@@ -27,8 +27,10 @@ def yielding(speed):
 
 @pytest.mark.parametrize("e", [0.0, 0.5, 0.9])
 def test_constant_restitution_is_haffs_law(e):
-    """The temperature is T0/(1 + t/tau)^2 with tau = 6/((1 - e^2) omega0), to a relative 1e-5. This
-    tolerance is a hundred times the tolerance of the ODE solver.
+    """With a constant restitution e, the temperature follows Haff's law T0/(1 + t/tau)^2.
+
+    tau = 6/((1 - e^2) omega0), with the initial collision rate omega0. The relative tolerance,
+    1e-5, is a hundred times the tolerance of the ODE solver.
     """
     gas, start = Gas(RADIUS, 0.2, constant(e), 1000), 3.0
     rate = float(gas.collision_rate(start))
@@ -75,8 +77,11 @@ def test_yielding_gas_stalls():
 
 
 def test_collision_rate_in_the_dilute_limit():
-    """The rate is the mean speed sqrt(8 T/pi), divided by the mean free path 1/(sqrt(2) pi d^2
-    n)."""
+    """In a dilute gas, the collision rate of a grain is its mean speed over its mean free path.
+
+    The mean speed is sqrt(8 T/pi), and the mean free path 1/(sqrt(2) pi d^2 n), with the grain
+    diameter d and the number density n.
+    """
     phi, temperature = 1e-9, 2.0
     number_density = phi / (4 / 3 * pi * RADIUS**3)
     free_path = 1 / (2**0.5 * pi * (2 * RADIUS) ** 2 * number_density)

@@ -15,7 +15,7 @@ from plastigran.engine.log import read_thermo
 
 #: Columns of the energy balance in a log.
 ENERGIES = "v_kinetic v_elastic v_plastic v_friction v_viscous v_drift"
-#: Logs of two simulations; the second one starts with twice the energy.
+#: Logs of the simulations before and after `clear`; the second one starts with twice the energy.
 BEFORE_CLEAR = table(f"Time {ENERGIES}", "0 0 1 0 0 0 0 0", "10 1e-5 0.5 0 0.5 0 0 0")
 AFTER_CLEAR = table(f"Time {ENERGIES}", "0 0 2 0 0 0 0 0", "20 2e-5 1 0 1 0 0 0")
 

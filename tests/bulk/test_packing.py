@@ -22,7 +22,10 @@ def in_cube(side):
 
 
 def test_spheres_do_not_overlap_and_are_inside():
-    """The volume fraction is 0.53, between a gas and random close packing."""
+    """Spheres of a random packing do not overlap, lie in the container, and depend on the seed.
+
+    The volume fraction is 0.53, between a gas and random close packing.
+    """
     side = (4 / 3 * np.pi * 400 / 0.53) ** (1 / 3)
     places = random_packing(1, *in_cube(side), seed=3)
     first, second = np.triu_indices(400, 1)

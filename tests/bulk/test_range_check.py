@@ -55,7 +55,10 @@ def write(folder: Path, **values: float) -> Path:
 
 
 def test_a_run_far_beyond_the_range_fails(tmp_path, capsys):
-    """The overlap is a third of the radius, 15 times the range a/R = 0.1."""
+    """A run fails if a contact far exceeds the validity range of its law.
+
+    The overlap is a third of the radius, 15 times the overlap at the end of the range, a/R = 0.1.
+    """
     line = ["bulk", str(write(tmp_path, density=8000, velocity=-5, steps=200))]
     line += ["--output", str(tmp_path / "run")]
     assert main(line) == 1

@@ -40,8 +40,9 @@ class Spheres:
         self.material = evolve(self.material, dissipative_constant=dissipative_constant)
 
     def run(self, deck: str, folder: Path, ranks: int = 1, **variables) -> str:
-        """Run a conformance deck with these bodies, and with the law unless `variables` names
-        another.
+        """Run a deck of the folder `decks` with these bodies.
+
+        The law is `law_name`, unless `variables` names another one.
         """
         path = DECKS / f"{deck}.in"
         variables = {"law": self.law_name, **self.variables(), **variables}

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Features of LIGGGHTS work with a law as with LIGGGHTS' own normal model. The features are moving
-and wearing meshes, insertion, heat, and bodies of several spheres.
+"""Features of LIGGGHTS work with the laws of this project as with LIGGGHTS' own `hertz`.
+
+The features are moving and wearing meshes, insertion, heat, and bodies of several spheres.
 """
 
 from __future__ import annotations

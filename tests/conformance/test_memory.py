@@ -46,9 +46,10 @@ def held_forces(folder: Path) -> np.ndarray:
 
 
 def assert_held(forces: np.ndarray, stages: tuple[str, ...]) -> None:
-    """Check that forces are the same at all stages, and that the tangential spring contributes to
-    them. The tolerance is 1e-9 of the largest component, because moving all bodies by 70 mm
-    changes the round-off of the overlap, which is only 7 um.
+    """Check that the forces stay the same after all commands of the deck (`stages`).
+
+    The tangential spring must contribute to them. The tolerance is 1e-9 of the largest component,
+    because moving all bodies by 70 mm changes the round-off of the overlap, which is only 7 um.
     """
     first = forces[0]
     assert np.all(np.abs(first[:, 1]) > 0.03 * np.abs(first[:, 0])), "no spring is stretched"
@@ -80,7 +81,7 @@ def test_memory_outlives_what_decks_do_between_runs(engine_law, tmp_path):
     ],
 )
 def test_memory_outlives_them_on_all_ranks(grid, variables, tmp_path):
-    """Contacts keep their history at all stages on one, two and four ranks.
+    """Contacts keep their history after all commands of between_runs.in, on one to four ranks.
 
     The contact of the pair lies on the border between ranks, at x = 0 and y = 0, and moves.
     """
@@ -170,8 +171,9 @@ def test_contacts_of_another_line_begin_anew(owner, tmp_path):
 
 
 def test_a_wall_elsewhere_is_another(tmp_path):
-    """A plane is given again with the same ID, one micrometer away. Its contact starts without
-    history, and the log reports it.
+    """If a deck defines a plane again one micrometer away, its contact starts without history.
+
+    The plane has the same ID. The log reports the lost history.
     """
     line = "unfix wall; fix wall all wall/gran model stronge tangential history primitive type 2 "
     log = run_with(line + "xplane -0.450001", "stronge", tmp_path)

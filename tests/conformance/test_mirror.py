@@ -72,9 +72,10 @@ def test_two_equal_spheres_are_one_on_a_rigid_plane(sphere_law, body, law_betwee
 
 @pytest.mark.parametrize("stiffness", [0.2, 1.0, 5.0])
 def test_two_spheres_are_the_fitted_sphere(sphere_law, body, stiffness, law_between):
-    """One sphere yields. The second sphere is elastic, and softer or stiffer than the first sphere.
+    """A yielding sphere and an elastic one behave like one sphere on a rigid plane.
 
-    Force, contact radius and energy agree on a path of loading, unloading and reloading.
+    The elastic sphere is softer or stiffer than the yielding one. Force, contact radius and energy
+    agree on a path of loading, unloading and reloading.
     """
     other = laws.Body(stiffness * body.youngs_modulus, 0.3)
     two, one = laws.combine(body, other), laws.combine(body, RIGID)
@@ -118,9 +119,10 @@ def test_the_fits_to_one_sphere_differ_in_the_other_reading():
 
 @pytest.mark.parametrize("name", ["ghaednia_2019", "jackson_green", "ye_komvopoulos"])
 def test_the_range_of_a_fit_mirrors(name):
-    """Each of two equal spheres has half of the overlap, and R* is half as large. So the range of
-    overlap/R* is four times as large. With a much softer elastic body, the range is 0.1, as in any
-    law.
+    """The validity range of overlap/R* is four times as large for two equal spheres as for one.
+
+    Each of two equal spheres has half of the overlap, and R* is half as large. With a much softer
+    elastic body, the range is 0.1, as in any law.
     """
     steel, soft = BODIES["hardening_steel"], laws.Body(2.1e7, 0.3)
     plane, pair, dented = (

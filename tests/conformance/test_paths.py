@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Properties that every law must have on any loading path.
 
-The tests find the laws by their files.
-
-A rate-dependent law is followed at rate zero, where it must be path-explicit like all other laws.
-Tests in tests/verification check the effect of its rate.
+The tests run for every law without adhesion that begins with an elastic contact. A rate-dependent
+law is followed at rate zero, where it must be path-explicit like all other laws. Tests in
+tests/verification check the effect of its rate.
 
 Overlaps are scaled by the overlap at yield, and forces by the force at yield. So one set of paths
 reaches every regime of every law, for any size and material.

@@ -210,7 +210,10 @@ def test_options_are_words(engine_law, tmp_path):
 
 @pytest.mark.parametrize("name", ["coefficientFriction", "coefficientRollingFriction"])
 def test_negative_friction_is_refused(name, tmp_path):
-    """LIGGGHTS accepts a negative coefficient of friction, and such friction creates energy."""
+    """The plugin refuses a negative coefficient of friction, because it would create energy.
+
+    LIGGGHTS itself accepts it.
+    """
     with pytest.raises(EngineError, match=rf"{name} is -0.3; it must be 0 or more \(atom types 1"):
         run(tmp_path, law="thornton", more=constant(name, "-0.3"))
 

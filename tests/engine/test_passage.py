@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """A particle that would pass through a wall stops the run.
 
-A wall pushes to both sides, so no overlap with it can exceed the radius.
+A wall repels particles on both of its sides. So the overlap never exceeds the radius, even if a
+particle passes through the wall.
 """
 
 from __future__ import annotations
@@ -82,7 +83,7 @@ def test_a_step_that_is_too_long(tmp_path):
 
 
 def test_a_wall_that_may_be_passed(tmp_path):
-    """The run continues, because the deck allows overlaps beyond the radius."""
+    """With `overlap_limit 2`, a particle may pass through a wall, and the run continues."""
     run_text(tmp_path, deck(**TYPED_IN_GPA, settings="overlap_limit 2"))
 
 

@@ -189,7 +189,7 @@ thermo 1"""
 @pytest.mark.parametrize("strength", [1e15, 1e8])
 @pytest.mark.parametrize("law", LAWS)
 def test_friction_adds_no_error_to_the_energy_balance(law, strength, tmp_path):
-    """The balance error that friction adds to an oblique impact is at most its known value.
+    """The balance error that friction adds to an oblique impact has the value of theory.
 
     Elastic and plastic impacts at 20 and 70 degrees run with about the recommended time step.
     Friction does not change the normal motion, so the balance error of the normal motion equals the

@@ -24,7 +24,7 @@ STEEL = pg.material("steel")
 
 
 def test_import_is_light():
-    """Modules that are slow to load are loaded when they are first used."""
+    """`import plastigran` does not load slow modules; they are loaded when they are first used."""
     code = "import sys, plastigran; print(*sys.modules)"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert not {"numpy", "pandas", "scipy", "matplotlib", "pyvista"} & set(done.stdout.split())
@@ -32,7 +32,7 @@ def test_import_is_light():
 
 @pytest.mark.parametrize("law", ["thornton", "viscoelastic_hertz"])
 def test_a_contact_agrees_with_an_experiment(law):
-    """A contact and an experiment with the same law, radius and mass agree to round-off."""
+    """`pg.Contact` and `CentralImpact` with the same law, radius and mass agree to round-off."""
     ice = pg.material("ice")
     body = evolve(STEEL, dissipative_constant=1e-6) if law == "thornton" else ice
     case = CentralImpact(law, 0.1, body, 0.01, "two_spheres")
@@ -155,7 +155,10 @@ def test_the_representation_of_a_contact():
 
 
 def test_a_call_beyond_the_range_of_a_law_warns_once():
-    """`kogut_etsion` is valid up to 110 times the overlap at yield."""
+    """A call beyond the validity range of a law gives one warning.
+
+    `kogut_etsion` is valid up to 110 times the overlap at yield.
+    """
     contact = pg.Contact("kogut_etsion", STEEL, pg.RIGID, radius=5e-3)
     speeds = np.geomspace(1e-3, 1, 40)
     outcome = contact.impact(speeds)

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""An experiment in a folder of $PLASTIGRAN_EXPERIMENTS has a command; see
-docs/add_an_experiment.md."""
+"""A user's experiment in a folder of $PLASTIGRAN_EXPERIMENTS adds a command to `plastigran`.
+
+See docs/add_an_experiment.md.
+"""
 
 from __future__ import annotations
 

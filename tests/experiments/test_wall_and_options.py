@@ -106,7 +106,7 @@ def test_what_cannot_be_is_refused(changes, complaint):
     ],
 )
 def test_a_dented_wall_is_said(law, wall, options, said):
-    """A note appears if the wall yields but the law describes spheres that flatten.
+    """The output has a note if the wall yields but the law describes spheres that flatten.
 
     With `yielding flat`, `universal` describes a yielding wall.
     """
@@ -131,7 +131,7 @@ def test_options_go_to_the_laws_that_have_them():
 
 
 def test_a_law_of_dents_for_a_ball_that_flattens_is_said():
-    """A note appears if the option describes a yielding flat but the ball yields."""
+    """The output has a note if the option describes a yielding flat but the ball yields."""
     case = {"law": "universal", "speed": 1.0, "material": "steel", "wall": "zirconia"}
     said = "Steel on Zirconia: the ball yields, but --options 'yielding flat' describes a"
     assert said in str(CentralImpact.theory(**case, options="yielding flat"))

@@ -90,8 +90,10 @@ def test_equal_bodies_share_the_heat(tmp_path):
 
 
 def test_the_weaker_body_takes_the_plastic_work(tmp_path):
-    """The weaker body takes the plastic work with its Taylor-Quinney factor; friction heats both
-    bodies."""
+    """Plastic work, times the Taylor-Quinney factor of the weaker body, heats the weaker body.
+
+    Friction heats both bodies.
+    """
     table = warm("impact", tmp_path, other_type=2, factors="0.8 0.5", capacity="900 900")
     end, rise = table.iloc[-1], temperatures(tmp_path)
     assert end["hstored"] == pytest.approx(0.2 * end["plastic"], rel=1e-12)

@@ -106,7 +106,10 @@ def test_outputs_are_those_of_the_plugin(in_tree, deck, variables, tmp_path):
 
 
 def test_a_combination_of_any_models_is_that_of_the_plugin(in_tree, tmp_path):
-    """The generic class is used for combinations of models that are not in combinations.txt."""
+    """A combination of models that is not in combinations.txt gives the results of the plugin.
+
+    LIGGGHTS uses the generic class for such combinations.
+    """
     deck = TESTS / "conformance/decks/slide.in"
     variables = {"law": "thornton", "spin": -50.0}
     ours, plugin = (
@@ -206,7 +209,10 @@ def test_files_of_an_earlier_version_are_removed(installed_copy):
 
 
 def test_a_model_of_a_fork_with_the_same_name_stays(bare_tree):
-    """A fork's own model with the name of a law stays, also in the list of models to compile."""
+    """If a fork of LIGGGHTS has its own model with the name of a law, this model stays.
+
+    It also stays in the list of models to compile.
+    """
     model = bare_tree / "src/normal_model_stronge.h"
     model.write_text("// of a fork\nNORMAL_MODEL(STRONGE,stronge,77)\n")
     whitelist = bare_tree / "src/style_contact_model_user.whitelist"

@@ -183,8 +183,10 @@ TEST_CASE_TEMPLATE("energies of first loading grow by the work of the force betw
   }
 }
 
-// The equation is w^4 - b w = x. A polynomial for weak adhesion and a closed form meet at b =
-// x^(3/4). The tolerance of 4e-15 is the round-off of w^4 and of the polynomial.
+// The root of the contact radius, w = a^(1/2), solves w^4 - b w = x, where x is the overlap times
+// R*, and b grows with the surface energy. The function uses a polynomial for weak adhesion, b <=
+// x^(3/4), and a closed form otherwise. The tolerance of 4e-15 is the round-off of w^4 and of the
+// polynomial.
 TEST_CASE("the root of the JKR equation solves it for any adhesion") {
   for (double x = 1e-12; x < 1; x *= 3)
     for (double e = 0; e < 4; e += 0.01) {

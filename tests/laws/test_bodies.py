@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Two bodies make one pair; constants out of range are refused."""
+"""The constants of two bodies combine to those of a pair; constants out of range are refused."""
 
 from __future__ import annotations
 
@@ -33,8 +33,11 @@ def test_pair_is_the_same_in_either_order():
     [(0.25, 1.554347), (0.30, 1.612797), (0.35, 1.674110), (0.40, 1.738481)],
 )
 def test_yield_pressure_factor(poissons_ratio, factor):
-    """The factors follow from the largest von Mises stress on the axis of Hertz' contact, computed
-    to seven digits."""
+    """The default of yield pressure / yield strength depends on Poisson's ratio.
+
+    The expected values follow from the largest von Mises stress on the axis of Hertz' contact,
+    computed to seven digits.
+    """
     assert laws.hertz_yield_pressure_factor(poissons_ratio) == pytest.approx(factor, rel=5e-7)
 
 

@@ -41,7 +41,7 @@ def test_changes_of_the_deck_between_runs_are_counted(pre, steps, tmp_path):
 
 
 def test_another_integrator_is_refused(tmp_path):
-    """The energy balance supports only the steps of velocity Verlet."""
+    """The energy balance refuses integrators other than velocity Verlet, such as respa."""
     with pytest.raises(EngineError, match="run_style respa is not supported"):
         ledger("set_types", tmp_path, change="run_style respa 2 2 pair 1")
 
@@ -72,8 +72,10 @@ def test_a_restart_keeps_the_terms(bed, ranks, tmp_path):
 
 
 def test_deleted_grains_leave_the_others(bed, tmp_path):
-    """The term `inserted` contains the energy of the deleted grains and the elastic energy of their
-    contacts. Their plastic work stays in the total."""
+    """The term `inserted` decreases by the energy of deleted grains and of their contacts.
+
+    The energy of their contacts is elastic. Their plastic work stays in the total.
+    """
     table = ledger("bed_thinned", tmp_path, restart=bed[0] / "middle.restart")
     before, after = table[table["run"] == 0].iloc[-1], table[table["run"] == 1].iloc[0]
     assert before["step"] == after["step"]

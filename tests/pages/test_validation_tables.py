@@ -51,8 +51,10 @@ def test_the_errors_of_the_package_and_the_pages_are_those_of_the_laws(assert_on
 
 
 def test_the_page_of_universal_shows_its_largest_errors():
-    """The page lists errors by kind of contact and speed, for metals of the fit and held-out
-    metals."""
+    """docs/laws/universal.md shows the largest errors of the law that the code computes.
+
+    The page lists them by kind of contact and speed, for metals of the fit and held-out metals.
+    """
     page = (PROJECT / "docs" / "laws" / "universal.md").read_text()
     names = ("perfectly plastic, small a/R", "hardening, small a/R", "large a/R")
     kinds = dict(zip(names, KINDS, strict=True))

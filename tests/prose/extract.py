@@ -19,7 +19,7 @@ import attrs
 from plastigran.cli import parser
 from plastigran.engine.process import PROJECT
 
-#: A string in code or a cell of a table is prose if it has this number of words.
+#: A string in code or a cell of a table counts as prose if it has at least this number of words.
 WORDS = 4
 _SENTENCE_END = re.compile(r"(?<=[.!?])\s+|(?<=[:;])\s+(?=[A-Z`*\[(\"])|\n+")
 #: Parts of a sentence that are read as one word, in the order in which they are replaced.
@@ -44,7 +44,8 @@ class Sentence:
 
     Attributes:
         place: File and line, or the command whose help contains the sentence.
-        text: Text. One word replaces each piece of code, value, equation or list of names.
+        text: Text of the sentence. One word replaces each piece of code, value, equation or list
+            of names.
     """
 
     place: str

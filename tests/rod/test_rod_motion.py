@@ -128,7 +128,7 @@ def test_a_law_above_the_experiment_at_17_degrees():
 
 @pytest.mark.parametrize("spring", [False, True])
 def test_upright_rod_is_a_central_impact(spring, rod_law):
-    """At 90°, the rod falls along its axis, so its whole mass acts, without slip and rotation."""
+    """An upright rod has a central impact with its whole mass, without slip and rotation."""
     rod = Rod(angle=90, gravitational_acceleration=0)
     law = law_of(rod_law)
     found = simulate(rod, law, 1.0, PAIR.shear_modulus_eff if spring else None)

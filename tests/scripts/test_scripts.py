@@ -50,7 +50,7 @@ def test_convergence_of_finite_elements():
 
 
 def test_pair_time(tmp_path, monkeypatch, capsys):
-    """`benchmarks/pair_time.py` runs: once, for two steps of 216 spheres and of 36 discs."""
+    """`benchmarks/pair_time.py` works: here, it times two steps of 216 spheres and of 36 discs."""
     monkeypatch.syspath_prepend(PROJECT / "benchmarks")
     script = load("benchmarks/pair_time.py")
     monkeypatch.setattr(script, "WORK", tmp_path)
@@ -81,7 +81,7 @@ def test_pair_time(tmp_path, monkeypatch, capsys):
 
 @pytest.mark.engine
 def test_peers(tmp_path, monkeypatch, capsys):
-    """`benchmarks/peers.py` runs: once, for two steps of 72 spheres, in LIGGGHTS only."""
+    """`benchmarks/peers.py` works: here, it times two steps of 72 spheres, in LIGGGHTS only."""
     monkeypatch.syspath_prepend(PROJECT / "benchmarks")
     script = load("benchmarks/peers.py")
     monkeypatch.setattr(script, "WORK", tmp_path)
@@ -246,10 +246,11 @@ def test_reliability(part, tmp_path, monkeypatch):
 
 
 def test_the_metal_of_the_independent_finite_elements():
-    """The independent finite elements have the same metal as the finite strain of this package.
+    """The independent finite elements compute the same stresses as those of this package.
 
-    The independent ones split the deformation into a product, F = F_e F_p; the package adds
-    logarithmic strains. Both are equivalent if the principal stretches keep their directions.
+    The independent ones split the deformation gradient into an elastic and a plastic factor, F =
+    F_e F_p; the package adds logarithmic strains. Both are equivalent if the principal stretches
+    keep their directions.
     """
     script = load("benchmarks/independent_finite_elements.py")
     material = script.HARD

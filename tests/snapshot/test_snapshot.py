@@ -39,8 +39,10 @@ def test_frames_are_found_by_step(pairs):
 
 
 def test_grains_have_their_size(pairs, tmp_path):
-    """Seen from above, each pair is a disc. The areas have a ratio of 4, within 3 % due to
-    facets."""
+    """A picture shows grains at their size: seen from above, each pair of grains is a disc.
+
+    The areas of the two discs have a ratio of 4, within 3 % due to facets.
+    """
     draw(
         find_frames(pairs)[-1], tmp_path / "top.png", colour="height", view="top", size=(1000, 800)
     )
@@ -51,7 +53,9 @@ def test_grains_have_their_size(pairs, tmp_path):
 
 
 def test_force_chains_are_where_grains_touch(pairs, tmp_path):
-    """Each pair has a tube from center to center, whose cross section is proportional to the force.
+    """A picture of force chains has a tube between the centers of grains in contact.
+
+    The cross section of the tube is proportional to the force.
 
     LIGGGHTS computes forces of 0.049 and 0.024 N. The tolerances correspond to some pixels.
     """

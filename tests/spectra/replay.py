@@ -24,7 +24,9 @@ LAW = laws.LAWS["thornton"]
 
 
 class Motion:
-    """Positions of all steps, in which grains keep their row when LIGGGHTS renumbers them.
+    """Recorded positions of grains at every step.
+
+    A grain keeps its index in the arrays even if LIGGGHTS renumbers it.
 
     Attributes:
         steps: Steps of the frames, shape (frames,).
@@ -59,7 +61,7 @@ def _nearest_image(vectors: np.ndarray) -> np.ndarray:
 
 
 def impacts(motion: Motion, timestep: float) -> pd.DataFrame:
-    """Return all impacts that begin and end in these steps.
+    """Return all impacts that begin and end during the recorded motion.
 
     Returns:
         Rows with `begin` (first step of contact), `end` (first step without), `with`, `type`,

@@ -104,9 +104,11 @@ def test_oblique_impact_is_spring_and_slider(tables, number):
 
 @pytest.mark.parametrize(("number", "tolerance"), [(4, 2e-3), (5, 1e-2), (6, 2e-2), (8, 2e-2)])
 def test_sliding_is_rigid_body_theory(tables, number, tolerance):
-    """Friction changes tangential speed, spin and surface speed as in rigid-body theory. The
-    tolerances cover the effects of a finite contact. The lever arm is R - overlap/2, and the spring
-    must be stretched before it slides, while a dashpot acts at once.
+    """If a contact slides throughout, the motion after the impact is that of rigid-body theory.
+
+    The test compares tangential speed, spin and surface speed. The tolerances cover the effects of
+    a finite contact. The lever arm is R - overlap/2, and the spring must be stretched before it
+    slides, while a dashpot acts at once.
     """
     table = tables(number).query("slides")
     for name, arm in (("surface_speed", 1), ("speed_along", 1), ("spin_after", table["radius"])):

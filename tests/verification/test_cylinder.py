@@ -30,9 +30,10 @@ def glass(law: str, speed: float = 1.0, radius: float = 1e-5, ratio: float = 10)
 @pytest.mark.parametrize("row", PUBLISHED, ids=lambda row: f"{row.radius}-{row.speed}")
 @pytest.mark.parametrize("name", CYLINDER_LAWS)
 def test_published_laws(name, row):
-    """Without energy guard, impacts agree with the table cylinder_kp10.csv.
+    """Without energy guard, impacts agree with the published equations of the laws.
 
-    The relative tolerance is 1e-5, because the table has six digits.
+    The results of these equations are in cylinder_kp10.csv. The relative tolerance is 1e-5, because
+    the table has six digits.
     """
     impact = glass(name, row.speed, row.radius * 1e-6, row.length_ratio)
     law = impact.contact_law(energy_guard="off")
@@ -53,7 +54,7 @@ def test_published_laws(name, row):
 
 @pytest.mark.parametrize("name", CYLINDER_LAWS)
 def test_yield(name):
-    """Force, overlap and work have closed forms at yield.
+    """Force, overlap and work of a cylinder at yield have closed forms.
 
     The slope of the force jumps there by a factor of 0.346 (C - 1) = 3.16, with
     C = ln(4 D^2/a^2) - nu/(1 - nu), half-width a at yield and thickness D of the body.

@@ -145,8 +145,10 @@ def test_toroidal_degree_one_is_the_textbook_equation():
 
 
 def test_modes_of_the_ice_sphere():
-    """Frequencies [kHz] for R = 10 mm, nu = 1/4, E = 9.3 GPa and 900 kg/m^3; see
-    docs/elastic_sphere.md."""
+    """The lowest modes of an ice sphere have the frequencies of docs/elastic_sphere.md.
+
+    The radius is 10 mm, nu = 1/4, E = 9.3 GPa, and the density is 900 kg/m^3.
+    """
     ice = read_material("ice")
     table = sphere_modes(ice.youngs_modulus, ice.poissons_ratio, ice.density, 0.01)
     table = table.set_index(["kind", "degree", "overtone"])["frequency"] / 1e3
@@ -179,8 +181,10 @@ def test_hertzian_collision_of_the_ice_sphere(geometry, tmp_path):
 
 
 def test_duration_is_the_plane_walls_closed_form():
-    """For a sphere on a rigid plane, the duration is 2.943275 R v^(-1/5) (5 pi rho (1-nu^2)/(4
-    E))^(2/5)."""
+    """The duration of Hertz' impact of a sphere on a rigid plane has the known closed form.
+
+    It is 2.943275 R v^(-1/5) (5 pi rho (1 - nu^2)/(4 E))^(2/5), with the density rho.
+    """
     ice = read_material("ice")
     model = CentralImpact("hertz", 0.1, ice, 0.01)
     found = central.hertz_duration(

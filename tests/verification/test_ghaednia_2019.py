@@ -39,7 +39,10 @@ def overlaps() -> np.ndarray:
 
 @pytest.mark.parametrize("other", [RIGID, STEEL, laws.Body(5e10, 0.4)])
 def test_without_hardening_it_is_jackson_and_green(other):
-    """Both laws are equal to round-off, also between two yielding bodies."""
+    """Without hardening, the law equals that of Jackson and Green to round-off.
+
+    This also holds between two yielding bodies.
+    """
     law, twin = (kind(bodies(0, other)) for kind in (laws.Ghaednia2019, laws.JacksonGreen))
     for name in ("force", "contact_radius"):
         assert loading(law, overlaps(), name) == pytest.approx(

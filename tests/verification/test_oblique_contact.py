@@ -76,7 +76,10 @@ def test_impacts_of_any_shape():
 
 
 def test_a_flat_gives_the_spin_of_sliding():
-    """A sphere that slides during the whole impact has a final spin of R w = 5/2 mu (1 + e) v_n."""
+    """A sphere that slides during the whole impact leaves with the spin 5/2 mu (1 + e) v_n/R.
+
+    v_n is the normal impact speed.
+    """
     pair = Contact("hertz", "steel", RIGID, radius=0.01, friction=0.1)
     outcome = pair.oblique_impact(1.0, 60.0)
     closing = 0.5

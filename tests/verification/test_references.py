@@ -29,7 +29,10 @@ RADIUS_ELSEWHERE |= {"lim_stronge"}
 
 @pytest.mark.parametrize("case", CASES)
 def test_impacts(case):
-    """Energies and motion of the reference agree to 1e-9, and the law gives the same impact."""
+    """A law gives the same impacts as its reference.
+
+    The reference computes an impact from energies and from the motion, which agree to 1e-9.
+    """
     law, index = CASES[case]
     expected, found = impacts.outcome(law, index), impact(law, index).predict()
     for quantity in OUTCOMES:

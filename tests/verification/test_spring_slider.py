@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The theory of oblique impacts: spring and slider."""
+"""The theory of oblique impacts with a tangential spring and a slider (Coulomb friction)."""
 
 from __future__ import annotations
 

@@ -47,7 +47,7 @@ def test_force_and_slope_are_continuous_at_yield():
         overlap = yield_overlap(pair) * np.array([1 - step, 1.0, 1 + step])
         force = laws.Universal(pair).follow(RADIUS, overlap)["force"]
         below, above = np.diff(force) / (force[1] * step)
-        assert below == pytest.approx(1.5, abs=0.5 * step)  # Hertz' slope is 1.5
+        assert below == pytest.approx(1.5, abs=0.5 * step)  # Hertz: d ln F / d ln d
         assert above == pytest.approx(1.5, abs=0.5 * step)
 
 

@@ -90,7 +90,7 @@ def test_restitution_is_the_papers(law, paper_mass):
     [(0.1, 7e10, 2699, 1e8), (1e-3, 7e10, 2699, 1e8), (1e-3, 2.1e11, 7850, 3e8)],
 )
 def test_size_and_material_drop_out(radius, youngs_modulus, density, yield_strength):
-    """Restitution depends only on speed / yield speed, for one Poisson's ratio."""
+    """At a given Poisson's ratio, restitution depends only on speed / yield speed."""
     from plastigran.physics import central
 
     body = laws.Body(youngs_modulus, 0.3, yield_strength)

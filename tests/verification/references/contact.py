@@ -54,7 +54,8 @@ MATERIALS = {
     "glass_kp10": Material(83.96e9 * (1 - 0.23**2), 0.23, 2500.0, 2.41e9),
     # EN 1993-1-1, 3.2; tangent modulus E/100 from EN 1993-1-5, annex C.6.
     "steel_s355": Material(2.1e11, 0.3, 7850.0, 3.55e8, tangent_modulus=2.1e9),
-    # Rounded constants of ice; A fitted to Bridges, Hatzes & Lin 1984, Nature 309:333.
+    # Rounded constants of ice. The dissipative constant is fitted to measurements of Bridges,
+    # Hatzes & Lin 1984, Nature 309:333.
     "ice": Material(9.3e9, 0.25, 900.0, dissipative_constant=1e-4),
 }
 

@@ -25,8 +25,9 @@ import numpy as np
 from references import thornton
 from references.central_impact import CentralImpact
 
-#: p_y/sigma_Y of a Hertzian contact at nu = 0.3 (Johnson, Contact Mechanics, 1985, sec. 4.1), the
-#: inverse of the largest 1.5/(1 + z^2) - 1.3 (1 - z atan(1/z)) at depths z / contact radius.
+#: Yield pressure / yield strength of a Hertzian contact at nu = 0.3 (Johnson, Contact Mechanics,
+#: 1985, sec. 4.1). It is the inverse of the largest 1.5/(1 + z^2) - 1.3 (1 - z atan(1/z)), where z
+#: is depth / contact radius.
 DEPTHS = np.linspace(0.47, 0.49, 2_000_001)
 AT_NU_03 = 1 / float(np.max(1.5 / (1 + DEPTHS**2) - 1.3 * (1 - DEPTHS * np.arctan(1 / DEPTHS))))
 
