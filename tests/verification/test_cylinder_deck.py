@@ -59,8 +59,14 @@ def test_either_body_may_bring_either_length(tmp_path):
 @pytest.mark.parametrize(
     ("given", "said"),
     [
-        (("1e-4 0", "0 0"), r"bodyThickness is 0; it must be between .* one of the bodies needs it .* 1 and 2"),
-        (("0 0", "1e-4 0"), r"cylinderLength is 0; it must be between .* one of the bodies needs it"),
+        (
+            ("1e-4 0", "0 0"),
+            r"bodyThickness is 0; it must be between .* one of the bodies needs it .* 1 and 2",
+        ),
+        (
+            ("0 0", "1e-4 0"),
+            r"cylinderLength is 0; it must be between .* one of the bodies needs it",
+        ),
         (("-1e-4 0", "1e-4 0"), r"cylinderLength is -0.0001; it must be .* \(atom type 1\)"),
         (("1e-4 0", "1e9 0"), r"bodyThickness is 1e\+09; it must be .* \(atom type 1\)"),
     ],
