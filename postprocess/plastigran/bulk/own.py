@@ -40,7 +40,7 @@ CONTINUE_HINT = (
 #: Commands after which the number of steps cannot be predicted from the script.
 CONTROL = {"if", "jump", "next", "label", "reset_timestep", "read_restart"}
 
-#: Notes about omitted checks and figures.
+#: Notes for the user about checks and figures that are omitted.
 NO_TERMS = (
     "no checks were made: the deck has no energy balance, or the log lacks the energy terms that "
     "inputs/energy_ledger.in defines"

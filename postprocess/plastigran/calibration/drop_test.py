@@ -95,7 +95,7 @@ class DropTest:
         return self.plate.name if isinstance(self.plate, Material) else "a rigid plate"
 
     def contact(self, law: str, metal: Material) -> Contact:
-        """Return the contact of ball and plate; `metal` stands for the metal to be calibrated."""
+        """Return the contact of ball and plate; `metal` is the body whose attribute is None."""
         options = dented_flat(law) if self.ball else {}
         return Contact(law, self.ball or metal, self.plate or metal, radius=self.radius, **options)
 
@@ -139,9 +139,11 @@ def read_drop_test(path: str | Path) -> pd.DataFrame:
 
 
 def _read_drop(label: str, cells: dict[str, str]) -> tuple[float, float]:
-    """Return speed and restitution of a line.
+    """Return impact speed [m/s] and restitution [-] of one line of the table.
 
-    `label` is the name of a cell in error messages; {} in it stands for the column.
+    Args:
+        label: Name of a cell in error messages; {} stands for the column.
+        cells: Text of each cell of the line, by name of the column.
     """
     values = {}
     for name, declaration in (IMPACT | REBOUND).items():

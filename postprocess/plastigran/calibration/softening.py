@@ -27,7 +27,8 @@ from plastigran.physics import central
 from plastigran.physics.rebound_hardness import GRAVITATIONAL_ACCELERATION
 from plastigran.usable_laws import laws_for
 
-#: Power of s by which each constant of a material is multiplied; other constants do not change.
+#: Exponents p by name of a material constant: softening by the factor s multiplies the constant by
+#: s^p. Other constants do not change.
 POWERS = {
     "youngs_modulus": 1.0,
     "yield_strength": 0.8,
@@ -36,7 +37,7 @@ POWERS = {
     "tangent_modulus": 1.0,
     "dissipative_constant": -0.4,  # a time, which scales as the contact duration
 }
-#: Power of s by which durations, overlaps and time steps are multiplied.
+#: Exponent p for durations, overlaps and time steps: softening multiplies them by s^p.
 TIME_POWER = -0.4
 #: Largest overlap / radius at which a softened grain still counts as hard (1 % of the diameter).
 SOUND_OVERLAP = 0.02

@@ -42,7 +42,7 @@ from plastigran.plot.movie import Movie
 from plastigran.plot.style import COLOURS
 from plastigran.report.base import Evidence, Findings
 
-STRESS_LEVELS = np.linspace(0, 1, 11)  # von Mises stress / flow stress
+STRESS_LEVELS = np.linspace(0, 1, 11)  # contour levels of von Mises stress / flow stress
 STRESS_LABEL = "von Mises stress / flow stress"
 
 
@@ -127,7 +127,7 @@ def draw_stress(
     """
     vertices = scale * (snapshot.vertices + snapshot.displacement - origin)
     stress = at_vertices(snapshot, snapshot.mises) / strength
-    stress = np.minimum(stress, 1 - 1e-9)  # keep points at the flow stress inside the last level
+    stress = np.minimum(stress, 1 - 1e-9)  # keep points at the flow stress below the last contour
     contours = draw_field(
         axes, vertices, snapshot.quads, stress, STRESS_LEVELS, mirror, cmap="viridis"
     )

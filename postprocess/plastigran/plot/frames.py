@@ -72,7 +72,9 @@ def contact_forces(frame: Frame) -> np.ndarray:
         SnapshotError: The frame has no file of contacts.
     """
     if frame.contacts is None:
-        raise SnapshotError(f"{frame.grains.parent} has no contacts_{frame.step}.vtk")
+        raise SnapshotError(
+            f"{frame.grains.parent} has no contacts_{frame.step}.vtk. Draw grains, not contacts"
+        )
     lines = read_frame_file(frame.contacts)
     return _norms(lines["force"]) if lines.n_cells else np.zeros(0)
 

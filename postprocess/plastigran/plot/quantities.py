@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Names and units of the quantities on axes."""
+"""Names and units of the quantities on the axes of figures."""
 
 from __future__ import annotations
 

@@ -97,7 +97,7 @@ def _add_grains(plotter: pyvista.Plotter, frame: Frame, colour: str, span: Span)
     if not len(values):
         if span:
             return
-        raise SnapshotError(f"{frame.grains} contains no grains")
+        raise SnapshotError(f"{frame.grains} contains no grains. Choose another frame")
     quantity = GRAIN_QUANTITIES[colour]
     scale = colour_scale(quantity.title, quantity.unit, span or values, quantity.from_zero)
     grains[scale.axis] = scale.factor * values
@@ -112,7 +112,7 @@ def _add_contacts(plotter: pyvista.Plotter, frame: Frame, span: Span) -> None:
     pyvista, force = load_pyvista(), contact_forces(frame)
     lines, grains = read_frame_file(frame.contacts), read_frame_file(frame.grains)
     if not span and not grains.n_points:
-        raise SnapshotError(f"{frame.grains} contains no grains")
+        raise SnapshotError(f"{frame.grains} contains no grains. Choose another frame")
     # Omit contacts across a periodic boundary, because their lines would cross the whole box.
     ends = lines.points.reshape(-1, 2, 3)
     lengths = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
@@ -121,7 +121,7 @@ def _add_contacts(plotter: pyvista.Plotter, frame: Frame, span: Span) -> None:
     if not len(shown):
         if span:
             return
-        raise SnapshotError(f"{frame.contacts} contains no contacts")
+        raise SnapshotError(f"{frame.contacts} contains no contacts. Choose another frame")
     largest = span[1] if span else force.max()
     scale = colour_scale("contact force", "N", [0, largest], from_zero=True)
     chains = pyvista.PolyData(

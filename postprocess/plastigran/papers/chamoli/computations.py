@@ -57,7 +57,7 @@ class Computed:
     modes: pd.DataFrame
 
     def fundamental_frequency(self, impact: Impact) -> float:
-        """Return the frequency of the fundamental mode of the sphere of an impact, Hz."""
+        """Return the fundamental frequency [Hz] of the sphere in an impact."""
         return self.modes["frequency"].min() * np.sqrt(impact[0] / HARD)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figures of impacts: force, energies, restitution versus speed, and spectra of the vibration."""
+"""Figures of a vibrating sphere's impacts: force, energies, restitution and spectra."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tables of impacts: comparison with Hertz, energies, restitution, oscillations and modes."""
+"""Tables of a vibrating sphere's impacts: Hertz, energies, restitution, oscillations, modes."""
 
 from __future__ import annotations
 

@@ -31,7 +31,7 @@ FULL = {"timestep": 1e-6, "duration": 0.05, "rows": 100}
 #: Inner sides of the box [m] and initial volume fraction, chosen for the ten beds of the eight
 #: codes. The defaults of the deck are chosen for the published beds, which are looser.
 EIGHT_CODES_SETTINGS = {"length": 0.098, "width": 0.058, "volume_fraction": 0.585}
-#: Number of grains and settings of a coarse run.
+#: Number of grains and settings of a short run with a small bed (coarse).
 COARSE_GRAINS = 800
 COARSE = {"length": 0.02, "width": 0.015, "ball_radius": 0.003, "ball_height": 0.03}
 COARSE |= {"volume_fraction": 0.5}

@@ -25,13 +25,13 @@ SOFT = softened_grains(0.01) | {"timestep": 1.35e-5, "duration": 0.25, "settling
 SOFT |= {"rows": 25, "checkpoints": 5}
 #: Settings of a run that lasts until the silo is empty, by orifice and label of `CONTACTS`.
 LONG = {("large", "hertz"): {"duration": 4.4, "rows": 220, "checkpoints": 22}}
-#: Fraction of the grains that remain in a silo that counts as empty.
+#: A silo counts as empty if at most this fraction of the grains is still in it.
 EMPTY = 1e-3
-#: Labels of `CONTACTS` by orifice.
+#: Contact laws of the runs by orifice, as labels of `CONTACTS`.
 LAWS = {"large": ("hertz", "thornton"), "small": ("hertz",)}
 #: Line styles of other codes in the figure.
 STYLES = {"LIGGGHTS": "--", "MUSEN": ":"}
-#: Settings of a coarse run.
+#: Settings of a short run with few grains (coarse).
 COARSE = softened_grains(0.002) | {"timestep": 4e-5, "duration": 0.08, "settling": 0.03}
 COARSE |= {"rows": 40, "checkpoints": 2, "grain_count": 2000, "volume_fraction": 0.5}
 

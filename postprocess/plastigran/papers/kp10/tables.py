@@ -108,7 +108,7 @@ def _significant(outcome: object, name: str) -> float:
 
 
 def head_on(computed: Computed) -> pd.DataFrame:
-    """Return the rows of the table `normal` that the page shows."""
+    """Return the rows of the table `normal` that the page of the paper shows."""
     table = normal(computed)
     impacts = zip(table["length/radius"], table["speed (m/s)"], strict=True)
     shown = [speed in HEAD_ON_SPEEDS[ratio] for ratio, speed in impacts]

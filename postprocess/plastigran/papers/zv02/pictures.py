@@ -21,13 +21,13 @@ from plastigran.plot.style import COLOURS, styled, subplots
 MM = 1e3
 #: Plastic strain at which the edge of the plastic zone is drawn: a hundredth of the yield strain.
 ZONE_EDGE = 1e-5
-#: Indices of the forces `FORCES` that the figure of stress shows.
+#: Indices in `FORCES` of the forces that the stress figure shows.
 FORCES_SHOWN = [0, 1, 3, -1]
 
 
 @styled({"axes.grid": False})
 def mesh_figure(computed: Computed) -> Figure:
-    """Draw the whole mesh, and the part of the mesh near the contact."""
+    """Draw the finite-element mesh of the sphere, and the part of the mesh near the contact."""
     mesh = computed.mesh
     contact_radius = MM * computed.impacts[SHOWN].history["contact_radius"].max()
     figure, (whole, part) = subplots(1, 2, figsize=(7.2, 3.7), width_ratios=(1, 1.7))
@@ -81,7 +81,7 @@ def _draw_sphere(axes: Axes, snapshot: Snapshot, strength: float, scale: float) 
 
 @styled()
 def plastic_zone_figure(computed: Computed) -> Figure:
-    """Draw the edge of the plastic zone at each force `FORCES`."""
+    """Draw the edge of the plastic zone at each of the forces `FORCES`."""
     pressing = computed.pressing
     forces = pressing.unloadings["force"]
     figure, axes = subplots(figsize=(6.4, 4.4))

@@ -120,22 +120,22 @@ def _impacts(computed: Computed, name: str, scale: float = 1.0) -> pd.DataFrame:
 
 
 def force(computed: Computed) -> pd.DataFrame:
-    """Return the largest force [N]; see `_impacts`."""
+    """Return the largest force of each impact [N], with the columns of `_impacts`."""
     return _impacts(computed, "force_max")
 
 
 def approach(computed: Computed) -> pd.DataFrame:
-    """Return the largest approach [µm]; see `_impacts`."""
+    """Return the largest approach of each impact [µm], with the columns of `_impacts`."""
     return _impacts(computed, "overlap_max", 1e6)
 
 
 def residual(computed: Computed) -> pd.DataFrame:
-    """Return the residual approach [µm]; see `_impacts`."""
+    """Return the residual approach after each impact [µm], with the columns of `_impacts`."""
     return _impacts(computed, "overlap_res", 1e6)
 
 
 def duration(computed: Computed) -> pd.DataFrame:
-    """Return the duration of contact [µs]; see `_impacts`."""
+    """Return the duration of contact in each impact [µs], with the columns of `_impacts`."""
     return _impacts(computed, "contact_time", 1e6)
 
 
@@ -166,7 +166,7 @@ def nodal_restitution(impact: Throw) -> np.ndarray:
 
 def pressed(computed: Computed) -> pd.DataFrame:
     """Return results of quasi-static compression: finite elements and laws."""
-    # Skip the first compression, which hardly yields.
+    # Skip the compression to the lowest force, in which the sphere hardly yields.
     unloadings = computed.pressing.unloadings.iloc[1:]
     by_law = {law: [_press_law(law, force) for force in unloadings["force"]] for law in LAWS}
     parts = []
@@ -184,7 +184,7 @@ def pressed(computed: Computed) -> pd.DataFrame:
 
 
 def _press_law(name: str, force: float) -> dict[str, float]:
-    """Return results of a law that is loaded to `force` [N] and unloaded to 0."""
+    """Return results of the law `name` for loading to `force` [N] and unloading to zero force."""
     law = contact_laws.LAWS[name](PAIR)
     overlap = brentq(
         lambda overlap: law.respond(RADIUS, overlap, law.State()).force - force,
@@ -232,7 +232,7 @@ def engine(computed: Computed) -> pd.DataFrame:
 
 
 def laws(computed: Computed) -> pd.DataFrame:
-    """Return the differences between the laws in LIGGGHTS and the finite elements at each speed."""
+    """Return how force and restitution of laws in LIGGGHTS differ from the finite elements [%]."""
     rows = []
     for law in LAWS:
         row: dict[str, object] = {"law": law}
