@@ -55,7 +55,9 @@ def test_movie_starts_before_the_first_grains(run, options, tmp_path, capfd):
 def test_picture_of_an_empty_frame_is_refused(run, options, capsys):
     empty(run, 0)
     assert main(["snapshot", str(run), "--step", "0", *options]) == 1
-    assert capsys.readouterr().err.endswith("grains_0.vtk contains no grains. Choose another frame\n")
+    assert capsys.readouterr().err.endswith(
+        "grains_0.vtk contains no grains. Choose another frame\n"
+    )
 
 
 def test_movie_without_grains_is_refused(run, tmp_path):
