@@ -171,7 +171,7 @@ def test_spectrum_tells_frequency_and_amplitude():
             "of sound",
         ),
         ({"material": METAL}, "only elastic spheres"),
-        ({"settings": Settings(strain="finite")}, "vibrations need 'small' strain"),
+        ({"settings": Settings(strain="finite")}, "vibrations need strain='small'"),
         ({"transits": 0.0}, "transits is 0; it must be positive"),
         ({"speed": 300.0}, "times the radius; the largest is 0.5"),
     ],

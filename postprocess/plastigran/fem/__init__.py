@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Finite elements of elastic-plastic bodies in contact.
+"""Finite-element computations of elastic-plastic bodies in contact.
 
-The bodies are a sphere on a plane or a half space, and a rigid cylinder on a body.
+The contacts are a sphere on a plane or a half space, and a rigid cylinder on a body.
 """

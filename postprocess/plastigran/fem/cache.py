@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Cache of finite-element results on disk.
 
-A stored result is used again for the same arguments and settings, until a file of `plastigran.fem`
-or the version of a library changes. The folder is `$PLASTIGRAN_CACHE`, or `~/.cache/plastigran`.
+A stored result is used again for the same arguments and settings, until a source file of
+`plastigran.fem` or the version of a library changes. The results are stored in the folder
+`$PLASTIGRAN_CACHE`; without this variable, in `~/.cache/plastigran`.
 """
 
 from __future__ import annotations
@@ -45,8 +46,8 @@ def cached(
 ) -> Result:
     """Return `compute(*arguments, settings, progress, **options)`, from disk if possible.
 
-    The result of a damaged file is computed again. The result of a computation that stopped early
-    is not stored.
+    If the stored file is damaged, the result is computed again. The result of a computation that
+    stopped early is not stored.
 
     Warns:
         CacheWarning: The result could not be stored; the message names the file.
@@ -65,7 +66,7 @@ def cached(
 
 
 def _store(content: bytes, path: Path) -> None:
-    """Write a file completely or not at all."""
+    """Write a file with a checksum and `content`, either completely or not at all."""
     temporary = None
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -87,7 +88,11 @@ def _store(content: bytes, path: Path) -> None:
 
 
 def _checked(file: bytes) -> bytes:
-    """Return the content that follows the checksum; raise ValueError if the checksum is wrong."""
+    """Return the content of a cache file without its leading checksum.
+
+    Raises:
+        ValueError: The checksum is wrong.
+    """
     digest, content = file[:DIGEST], file[DIGEST:]
     if sha256(content).digest() != digest:
         raise ValueError("the cache file is damaged: its checksum differs")
@@ -96,7 +101,10 @@ def _checked(file: bytes) -> bytes:
 
 @cache
 def _sources() -> str:
-    """Return a digest of the code of `plastigran.fem` and of the versions of libraries."""
+    """Return a checksum of the code of `plastigran.fem` and of the library versions.
+
+    A change of either makes the stored results invalid.
+    """
     digest = sha256(repr([(name, version(name)) for name in LIBRARIES]).encode())
     for path in sorted(Path(__file__).parent.rglob("*.py")):
         digest.update(path.read_bytes())

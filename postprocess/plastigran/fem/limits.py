@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Checks of input and warnings before a finite-element computation."""
+"""Checks of the input of a finite-element computation, with errors and warnings."""
 
 from __future__ import annotations
 
@@ -49,8 +49,8 @@ def check_forces(sphere: HertzSphere, forces: Sequence[float], *, strain: str = 
     for before, force in pairwise([0.0, *forces]):
         if not before < force or not isfinite(force):
             raise ValueError(
-                f"forces contains {force:g} N after {before:g} N; they must be positive and "
-                "increase"
+                f"forces contains {force:g} N after {before:g} N. Each force must be finite, "
+                "positive and larger than the force before"
             )
     cause = f"a force of {forces[-1]:g} N"
     check_reach(sphere, contact_reach(sphere, forces[-1]), cause, strain=strain)
@@ -59,7 +59,7 @@ def check_forces(sphere: HertzSphere, forces: Sequence[float], *, strain: str = 
 def force_of_impact(sphere: HertzSphere, speed: float) -> tuple[float, float]:
     """Estimate the largest force, N, and the largest contact radius, m, of an impact.
 
-    The mesh depends on these estimates.
+    The mesh of the impact is built for these estimates. `speed` is in m/s.
     """
     elastic = sphere.force(sphere.approach_max(speed))
     if elastic <= sphere.yield_force:
@@ -112,7 +112,7 @@ def check_reach(
     Args:
         sphere: Sphere.
         reach: Largest contact radius, m.
-        cause: Phrase for messages, such as "a force of 3 N".
+        cause: What causes this contact radius, for messages; such as "a force of 3 N".
         largest: Largest allowed a/R.
         strain: "small", which warns of large a/R, or "finite".
 
@@ -133,9 +133,13 @@ def check_reach(
 
 
 def warn_of_small_strain(estimate: str) -> None:
-    """Warn that the contact is too large for small strain."""
+    """Warn that the contact is too large for small strain.
+
+    `estimate` is the start of the message: it states the expected contact radius.
+    """
     warnings.warn(
-        f"{estimate}; small strain is accurate up to {SMALL_STRAIN:g}. Use finite strain",
+        f"{estimate}; small strain is accurate up to {SMALL_STRAIN:g}. Reduce the load, or use "
+        "finite strain (--finite-strain, Settings(strain='finite')), except for vibrations",
         SmallStrainWarning,
         stacklevel=4,
     )

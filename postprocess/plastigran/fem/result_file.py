@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Conversion of finite-element results to bytes and back: arrays as numpy, other data as JSON.
+"""Conversion of finite-element results to bytes and back.
 
-Reading a file does not execute code from the file.
+Arrays are stored in numpy's format, all other data as JSON. Reading a file does not execute code
+from the file.
 """
 
 from __future__ import annotations
@@ -34,7 +35,7 @@ NOT_A_RESULT = (
 
 
 def numbers(result: Any) -> dict[str, float | str]:
-    """Return the fields of an attrs object that are numbers or texts."""
+    """Return those fields of an attrs object that are numbers or texts, by name."""
     return attrs.asdict(
         result, recurse=False, filter=lambda _, value: isinstance(value, float | int | str)
     )

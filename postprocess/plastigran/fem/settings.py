@@ -19,7 +19,7 @@ CORE_OVER_REACH = 0.5  # largest core radius / largest contact radius
 
 @attrs.frozen(kw_only=True)
 class Settings:
-    """Settings of mesh, steps and penalty contact.
+    """Settings of the mesh, the load and time steps, and the penalty contact.
 
     With the defaults, forces are accurate to some tenths of a per cent; see docs/convergence.py.
     """
@@ -27,9 +27,9 @@ class Settings:
     divisions: int = whole("number of elements across the core of the mesh", 2, default=6)
     fineness: float = number("factor on the number of rings of elements", "-", 0.1, 10, default=1.0)
     growth: float = number("ratio of consecutive force increments", "-", 1, 2, default=1.05)
-    unloading_steps: int = whole("increments of an unloading", 4, default=24)
-    steps_of_contact: int = whole("time steps during a Hertz impact", 20, default=250)
-    free_steps: int = whole("time steps after the end of contact", 1, default=5)
+    unloading_steps: int = whole("number of force increments of an unloading", 4, default=24)
+    steps_of_contact: int = whole("number of time steps during a Hertz impact", 20, default=250)
+    free_steps: int = whole("number of time steps after the end of contact", 1, default=5)
     frames: int = whole("number of field snapshots during a Hertz impact", default=0)
     penalty: float = number("stiffness of the plane divided by E*/h", "-", 1, 1e5, default=PENALTY)
     strain: str = word("kinematics, small or finite strain", KINEMATICS, default="small")
@@ -44,7 +44,10 @@ class Settings:
         return SphereMesh(radius=sphere.radius, whole=whole, **self._fine_zone(sphere, reach))
 
     def block(self, sphere: HertzSphere, reach: float, size: float) -> HalfBlock:
-        """Return the mesh of the half space under the sphere; `size` is its radius, m."""
+        """Return the mesh of the half space under the sphere.
+
+        `reach` is the largest contact radius, m; `size` is the radius of the meshed part, m.
+        """
         return HalfBlock(size=size, **self._fine_zone(sphere, reach))
 
     def _fine_zone(self, sphere: HertzSphere, reach: float) -> dict[str, float]:

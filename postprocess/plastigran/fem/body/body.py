@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """A body of eight-node elements: strains, forces, stiffness and mass.
 
-scikit-fem provides mesh, shape functions, numbering and the mass matrix. Strains and stiffness are
-batched matrix products over the elements, with four Gauss points each.
+scikit-fem provides the mesh, the shape functions, the numbering and the mass matrix. Strains and
+stiffness matrices are computed by matrix products for all elements at once, with four Gauss points
+per element.
 """
 
 from __future__ import annotations
@@ -103,9 +104,9 @@ class Body:
         return self.mesh.t[:4].T
 
     def respond(self, displacement: np.ndarray, state: State, duration: float = np.inf) -> Response:
-        """Return the material response after an increment to displacements (size,), m.
+        """Return the material response at displacements (size,), m, the end of an increment.
 
-        `duration` is the length of the increment, s.
+        `state` is the material state at the start of the increment; `duration` is in s.
 
         Raises:
             InvertedError: The displacements turn an element inside out.
@@ -113,7 +114,7 @@ class Body:
         return self.material.respond(self.strain(displacement), state, duration)
 
     def strain(self, displacement: np.ndarray) -> np.ndarray:
-        """Return the strains (points, 4) for displacements (size,), m.
+        """Return the strains at the Gauss points (points, 4) for displacements (size,), m.
 
         Raises:
             InvertedError: The displacements turn an element inside out.
@@ -121,7 +122,10 @@ class Body:
         return self.kinematics.strain(self._measure(displacement))
 
     def internal_force(self, displacement: np.ndarray, stress: np.ndarray) -> np.ndarray:
-        """Return the nodal forces (size,), N, of stresses, Pa, at displacements (size,), m."""
+        """Return the nodal forces (size,), N, that balance the stresses (points, 4), Pa.
+
+        `displacement` contains the displacements (size,), m.
+        """
         conjugate = self.kinematics.conjugate(self._measure(displacement), stress)
         weighted = conjugate.reshape(*self.volumes.shape, -1) * self.volumes[:, :, None]
         nodal = weighted.reshape(len(self.dofs), 1, -1) @ self._matrices
@@ -130,7 +134,8 @@ class Body:
     def stiffness(self, displacement: np.ndarray, response: Response) -> np.ndarray:
         """Return element stiffness matrices (n_elements, 16, 16), N/m, for displacements, m.
 
-        Elements that behave as in the undeformed body keep their elastic matrix.
+        Only elements whose tangent differs from that of the undeformed body are computed; all
+        others keep their elastic matrix.
         """
         changed, changed_tangent = self.kinematics.tangent(
             self._measure(displacement), response, self.material.elastic_tangent
@@ -160,7 +165,10 @@ class Body:
 
 
 def _gradient_matrices(scalar: Basis, hoop: np.ndarray) -> np.ndarray:
-    """Return gradients (rr, yy, tt, ry, yr) per nodal displacement (n_elements, 4, 5, 16)."""
+    """Return matrices from nodal displacements to displacement gradients (n_elements, 4, 5, 16).
+
+    The gradients at each of the four Gauss points are (rr, yy, tt, ry, yr); tt is the hoop strain.
+    """
     matrices = np.zeros((*hoop.shape, 5, 2 * len(scalar.basis)))
     for node, (shape,) in enumerate(scalar.basis):
         along_r, along_y = shape.grad

@@ -11,7 +11,8 @@ from scipy.sparse.linalg import eigsh
 
 from plastigran.fem.body.body import Body
 
-# Eigenvalue / highest computed eigenvalue, below which a mode counts as rigid-body motion.
+# A mode counts as rigid-body motion if its eigenvalue divided by the highest computed eigenvalue is
+# below this value.
 RIGID = 1e-6
 
 
@@ -44,10 +45,10 @@ class ElasticBody:
         return int(candidates[np.argmin(np.linalg.norm(away, axis=0))])
 
     def vibrations(self, count: int) -> tuple[np.ndarray, np.ndarray]:
-        """Return the lowest free vibrations, without rigid-body motions.
+        """Return the free vibration modes of lowest frequency, without rigid-body motions.
 
         Returns:
-            Increasing frequencies (count,), Hz; shapes (size, count) with unit modal mass.
+            Increasing frequencies (count,), Hz; mode shapes (size, count) with unit modal mass.
         """
         scale = self.stiffness.diagonal().sum() / self.mass_matrix.diagonal().sum()
         squares, shapes = eigsh(
@@ -67,7 +68,11 @@ class ElasticBody:
         displacement: np.ndarray,
         velocity: np.ndarray,
     ) -> np.ndarray:
-        """Return the energy of each vibration (count,), J, for a displacement and a velocity."""
+        """Return the energy of each vibration mode (count,), J.
+
+        The arguments are the results of `vibrations`, and the nodal displacements, m, and nodal
+        velocities, m/s, of the body.
+        """
         amplitude = shapes.T @ (self.mass_matrix @ displacement)
         rate = shapes.T @ (self.mass_matrix @ velocity)
         return (rate**2 + (2 * pi * frequencies * amplitude) ** 2) / 2

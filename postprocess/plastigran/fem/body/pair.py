@@ -13,8 +13,8 @@ from plastigran.fem.material.elastic_plastic import Response, State
 class Pair:
     """Sphere and the block below it, with the attributes and methods of one `Body`.
 
-    In all arrays, the entries of the sphere come first. `upward`, `mass` and the motion of the
-    center of mass belong to the sphere only. Energies are sums over both bodies.
+    In all arrays, the values of the sphere come before those of the block. `upward`, `mass` and
+    the motion of the center of mass belong to the sphere only. Energies are sums over both bodies.
 
     Attributes:
         sphere: Upper body.
@@ -42,7 +42,7 @@ class Pair:
         self.points = self.volumes.size
 
     def respond(self, displacement: np.ndarray, state: State, duration: float = np.inf) -> Response:
-        """Return the responses of both bodies as one; see `Body.respond`."""
+        """Return the material responses of both bodies in one object; see `Body.respond`."""
         above, below = np.split(displacement, [self.sphere.size])
         above_state, below_state = state.split(self.sphere.points)
         upper = self.sphere.respond(above, above_state, duration)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Body that is hit by a rigid cylinder; one system of equations contains both."""
+"""A body that is hit by a rigid cylinder; one system of equations contains both."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from plastigran.fem.material.kinematics import SmallStrain
 class StruckBody(Body):
     """Body in plane strain that is hit by a rigid cylinder.
 
-    The center of the cylinder, a circle in the plane, adds two degrees of freedom.
+    In the plane, the cylinder is a circle. Its center adds two degrees of freedom.
 
     Attributes:
         center: Degrees of freedom of the center of the circle (2,).

@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A rigid circle on the surface of a body, by the penalty method with Coulomb friction.
+"""Contact of a rigid circle with the surface of a body: penalty method, Coulomb friction.
 
 The contact forces act at the Gauss points of the surface. The center of the circle adds two degrees
-of freedom; the circle does not rotate. d is the vector from the center to a point of the deformed
-surface, n = d/|d| the normal and g = |d| - R the gap. The pressure on the surface is p = k <-g>
-along n, where <x> is max(x, 0) and k the penalty stiffness. The trial traction along the tangent t
-is the traction of the last equilibrium minus k times the slip since then. The traction is limited
-to mu p (Wriggers, Computational Contact Mechanics, 2006, sec. 5.2).
+of freedom; the circle does not rotate. The method is that of Wriggers (Computational Contact
+Mechanics, 2006, sec. 5.2):
+
+- d is the vector from the center of the circle to a point of the deformed surface, n = d/|d| is
+  the normal, and g = |d| - R is the gap, with the radius R.
+- The pressure is p = k max(-g, 0) along n, with the penalty stiffness k.
+- The trial shear traction, along the tangent, is the shear traction of the last equilibrium minus
+  k times the slip since then. The coefficient of friction mu limits the shear traction to mu p.
 """
 
 from __future__ import annotations
@@ -21,7 +24,7 @@ from plastigran.fem.contact.plane import Touch
 
 @attrs.frozen
 class Rub(Touch):
-    """Contact state with a circle; `force` is the upward force on the circle.
+    """State of the contact with a circle; `force` is the upward force on the circle.
 
     Attributes:
         drag: Force on the circle along the surface, N.
@@ -41,10 +44,10 @@ class RigidCircle:
     """Circle above the surface y = 0 of a body; it touches the undeformed surface.
 
     Attributes:
-        dofs: Degrees of freedom of each edge, x and y of its three nodes and of the center
-            (n_edges, 8).
-        coordinates: First coordinate of the Gauss points, increasing (n_points,), m.
-        start: Initial first coordinate of the center, m.
+        dofs: Degrees of freedom of each element edge (n_edges, 8): x and y of its three nodes and
+            of the center of the circle.
+        coordinates: Coordinates x of the Gauss points, increasing (n_points,), m.
+        start: Initial coordinate x of the center, m.
         longest_edge: Length of the longest edge, m.
     """
 
@@ -62,10 +65,10 @@ class RigidCircle:
         Args:
             body: Body.
             radius: Radius of the circle, m.
-            track: Range of first coordinates in which contact is possible, m.
-            start: Initial first coordinate of the center, m.
+            track: Smallest and largest coordinate x at which contact is possible, m.
+            start: Initial coordinate x of the center, m.
             coefficient_of_friction: Coulomb coefficient of friction.
-            penalty: Stiffness divided by E*/h, where h is the length of an edge.
+            penalty: Penalty stiffness divided by E*/h, where h is the length of an element edge.
         """
         mesh = body.mesh
         facets = mesh.boundaries["surface"]
@@ -157,13 +160,13 @@ class RigidCircle:
         return (self._start + change + np.array([0, self._radius])).reshape(-1, 2)
 
     def profile(self, touch: Rub) -> tuple[np.ndarray, np.ndarray]:
-        """Return the mean first coordinate, m, and mean pressure, Pa, of each edge (n_edges,)."""
+        """Return the mean coordinate x, m, and mean pressure, Pa, of each edge (n_edges,)."""
         return self._edges.mean(self.coordinates), self._edges.mean(touch.pressure)
 
     def ends(self, gap: np.ndarray) -> tuple[float, float]:
-        """Return the first coordinates of both ends of the contact, m; zeros without contact.
+        """Return the coordinates x of both ends of the contact, m; zeros without contact.
 
-        With an axis of symmetry, the first end is the mirror image of the last.
+        With an axis of symmetry, the left end is the mirror image of the right end.
         """
         last = contact_edge(self.coordinates, gap)
         if self.coordinates[0] >= 0:

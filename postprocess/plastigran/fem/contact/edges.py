@@ -14,18 +14,20 @@ EDGE_ORDER = 5
 
 
 class Edges:
-    """Element edges and their Gauss points, sorted by first coordinate.
+    """Element edges and their Gauss points, sorted by their first coordinate (r or x).
 
     Attributes:
-        dofs: Degrees of freedom of the three nodes of each edge, both directions (n_edges, 3, 2).
+        dofs: Degrees of freedom of the three nodes of each edge, in both directions
+            (n_edges, 3, 2).
         shapes: Shape functions of the three nodes at the Gauss points (n_edges, n_points, 3).
         first: First coordinate of the Gauss points (n_edges, n_points), m.
-        areas: Areas of the Gauss points, projected on the horizontal (n_edges, n_points), m2.
+        areas: Surface area that each Gauss point represents, projected on the horizontal
+            (n_edges, n_points), m2.
         lengths: Lengths of the edges (n_edges,), m.
     """
 
     def __init__(self, body: Body, facets: np.ndarray) -> None:
-        """Collect the edges with the IDs `facets` in the mesh of the body."""
+        """Collect the element edges with the IDs `facets` in the mesh of the body."""
         mesh = body.mesh
         facets = facets[np.argsort(mesh.p[0, mesh.facets[:, facets]].mean(axis=0))]
         basis = FacetBasis(mesh, ElementVector(ElementQuadS2()), facets=facets, intorder=EDGE_ORDER)

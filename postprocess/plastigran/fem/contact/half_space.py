@@ -16,9 +16,10 @@ from plastigran.fem.contact.plane import PENALTY, RigidPlane
 
 
 class HalfSpace(RigidPlane):
-    """Surface of the lower body of a pair.
+    """Surface of the half space, the lower body of a pair.
 
-    The `height` in `touch` is the height of the base, which is far below the contact.
+    The argument `height` of `touch` is the height of the base of the half space. The base is the
+    boundary far below the contact.
 
     Attributes:
         dofs: Vertical degrees of freedom of the sphere's edge and of the surface, for each Gauss
@@ -26,10 +27,10 @@ class HalfSpace(RigidPlane):
     """
 
     def __init__(self, pair: Pair, radius: float, reach: float, penalty: float = PENALTY) -> None:
-        """Pair the Gauss points of the sphere with the surface.
+        """Pair the Gauss points of the sphere with points of the surface.
 
-        The arguments are those of `RigidPlane`. The penalty is in units of E*/h, with the modulus
-        E* of both bodies.
+        The arguments are those of `RigidPlane`. `penalty` is the penalty stiffness divided by E*/h,
+        with the effective modulus E* of both bodies and the length h of an element edge.
         """
         sphere, block = pair.sphere, pair.block
         modulus = sphere.material.pair_modulus(block.material)
@@ -49,9 +50,16 @@ class HalfSpace(RigidPlane):
 
 
 def _below(edges: Edges, radii: np.ndarray, block: Body) -> tuple[np.ndarray, np.ndarray]:
-    """Return vertical degrees of freedom and shape functions of the surface at radii, (n, 3) each.
+    """Return the element edges of the surface below points with given distances from the axis.
 
-    `radii` are the n distances from the axis, m.
+    Args:
+        edges: Element edges of the surface.
+        radii: Distances from the axis (n,), m.
+        block: Half space.
+
+    Returns:
+        Vertical degrees of freedom of the three nodes of each edge (n, 3), and the values of their
+        shape functions at `radii` (n, 3).
     """
     ends = block.locations[0, edges.dofs[:, :2, 0]]
     edge = np.searchsorted(ends.max(axis=1), radii)

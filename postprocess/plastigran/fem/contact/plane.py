@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A rigid frictionless plane under a sphere, by the penalty method at Gauss points.
+"""Contact of a sphere with a rigid frictionless plane below: penalty method at Gauss points.
 
-The undeformed surface is the exact circle, not the edges of the elements. The gap at radius r is
-therefore R - sqrt(R^2 - r^2) + u_y - h for a plane at height h. Pressures act on the horizontal
+The undeformed surface is the exact circle, not the edges of the elements. At distance r from the
+axis, the gap is therefore R - sqrt(R^2 - r^2) + u_y - h, with the sphere radius R, the vertical
+displacement u_y of the surface and the height h of the plane. Pressures act on the horizontal
 projection of the surface.
 """
 
@@ -14,23 +15,24 @@ import numpy as np
 from plastigran.fem.body.body import Body
 from plastigran.fem.contact.edges import Edges, contact_edge
 
-# Number of nodes of an edge of the sphere. These nodes come first in `dofs`, and are followed by
-# the nodes of a half space.
+# Number of nodes of an element edge of the sphere. In `dofs`, these nodes come before the nodes of
+# a half space.
 EDGE_NODES = 3
-PENALTY = 50.0  # penalty stiffness divided by E*/h, with the edge length h
+PENALTY = 50.0  # penalty stiffness divided by E*/h, with the length h of an element edge
 
 
 @attrs.frozen
 class Touch:
-    """Contact state at one displacement.
+    """State of the contact at given displacements of the body.
 
     Attributes:
         force: Upward force on the body, N.
         nodal: Forces on the degrees of freedom (size,), N.
-        stiffness: Stiffness matrix of each edge (n_edges, n, n), N/m.
+        stiffness: Stiffness matrix of each element edge with n degrees of freedom (n_edges, n, n),
+            N/m.
         gap: Gap at the Gauss points from the axis outward (n_points,), m.
         pressure: Pressure at the Gauss points, per undeformed area (n_points,), Pa.
-        stored: Elastic energy of the penalty, J.
+        stored: Elastic energy of the penalty springs, J.
     """
 
     force: float
@@ -43,12 +45,13 @@ class Touch:
 
 @attrs.frozen
 class PlaneTouch(Touch):
-    """Contact state with a plane.
+    """State of the contact with a plane.
 
     Attributes:
         radii: Distances of the Gauss points from the axis (n_points,), m; in small strain,
             distances in the undeformed body.
-        widening: Deformed / undeformed area of each edge (n_edges,); 1 in small strain.
+        widening: Deformed / undeformed horizontal area of each element edge (n_edges,); 1 in small
+            strain.
     """
 
     radii: np.ndarray
@@ -56,7 +59,7 @@ class PlaneTouch(Touch):
 
     @property
     def contact_radius(self) -> float:
-        """Radius at which the gap opens, m."""
+        """Contact radius, m: distance from the axis at which the gap opens."""
         return contact_edge(self.radii, self.gap)
 
 
@@ -64,7 +67,7 @@ class RigidPlane:
     """Plane under the lower half of a sphere.
 
     Attributes:
-        dofs: Vertical degrees of freedom of each edge (n_edges, 3).
+        dofs: Vertical degrees of freedom of each element edge (n_edges, 3).
         radii: Undeformed distances of the Gauss points from the axis, increasing (n_points,), m.
     """
 
@@ -75,7 +78,7 @@ class RigidPlane:
             body: Sphere.
             radius: Radius of the sphere, m.
             reach: Largest distance from the axis at which contact is possible, m.
-            penalty: Stiffness divided by E*/h.
+            penalty: Penalty stiffness divided by E*/h, with the length h of an element edge.
         """
         mesh = body.mesh
         facets = mesh.boundaries["circle"]
@@ -93,7 +96,7 @@ class RigidPlane:
         self._follows = body.kinematics.surface_moves
 
     def touch(self, displacement: np.ndarray, height: float) -> PlaneTouch:
-        """Return the contact state at displacements (size,), m, for a plane at `height`, m."""
+        """Return the state of the contact at displacements (size,), m; `height` is in m."""
         rise = (self._shapes @ displacement[self.dofs][:, :, None])[:, :, 0]
         gap = self._heights + rise - height
         pressure = self._stiffness * np.maximum(-gap, 0)
@@ -119,7 +122,7 @@ class RigidPlane:
         return self.radii + outward, area / undeformed
 
     def profile(self, touch: PlaneTouch) -> tuple[np.ndarray, np.ndarray]:
-        """Return the mean radius, m, and mean pressure, Pa, of each edge (n_edges,)."""
+        """Return the mean radius, m, and mean pressure, Pa, of each element edge (n_edges,)."""
         mean = self._edges.mean
         return mean(touch.radii), mean(touch.pressure) / touch.widening
 
@@ -131,5 +134,5 @@ class RigidPlane:
         return self._scatter(stiffness[:, :, :EDGE_NODES].sum(axis=2))
 
     def _scatter(self, nodal: np.ndarray) -> np.ndarray:
-        """Return the sums (size,) of forces on the nodes of the edges."""
+        """Sum the forces on the nodes of each edge to the forces on the body (size,), N."""
         return np.bincount(self.dofs.ravel(), nodal.ravel(), minlength=self._size)

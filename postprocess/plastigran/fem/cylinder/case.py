@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Impact of a rigid cylinder on a body, and its scales."""
+"""Input of the impact of a rigid cylinder on a body, and estimates of its contact."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from plastigran.fem.theory.line import HertzLine
 
 LARGEST = 0.6  # largest contact half width / radius of the circle
 PLASTIC_PRESSURE = 2.0  # lower estimate of mean pressure / flow stress
-MARGIN = 1.2  # factor on the smallest thickness for which no wave returns during the contact
+MARGIN = 1.2  # safety factor on the thickness below which waves return during the contact
 
 
 @attrs.frozen(kw_only=True)
 class CylinderStrike:
-    """Impact of a rigid cylinder.
+    """Impact of a rigid cylinder on a body; all input of the computation.
 
     Attributes:
         material: Material of the body; the cylinder is rigid.
@@ -38,7 +38,7 @@ class CylinderStrike:
         "coefficient of friction", "-", 0, 1, lower_allowed=True, upper_allowed=True, default=0.0
     )
     thickness: float | None = number(
-        "thickness of the body; by default no wave returns from its far side",
+        "thickness of the body; by default so large that no wave returns during the contact",
         "m",
         0,
         default=None,
@@ -50,14 +50,18 @@ class CylinderStrike:
             check_subsonic(name, getattr(self, name), sound)
         if self.reach > min(LARGEST * self.radius, self.line.thickness / 4):
             raise ValueError(
-                f"speed is {self.speed:g} m/s, which gives a contact of half width "
-                f"{self.reach:.3g} m. The limit is {LARGEST:g} of the radius {self.radius:g} m "
-                f"and a quarter of the thickness {self.line.thickness:g} m"
+                f"speed is {self.speed:g} m/s, which gives a contact half width of "
+                f"{self.reach:.3g} m. The largest half width is {LARGEST:g} times the radius, "
+                f"{self.radius:g} m, and a quarter of the thickness, {self.line.thickness:g} m. "
+                "Use a lower speed, or check the units: Pa, kg/m3, m"
             )
 
     @property
     def line(self) -> HertzLine:
-        """Elastic contact of the cylinder and the body, with the thickness of the body."""
+        """Elastic line contact of the cylinder and the body.
+
+        Without `thickness`, the body is so thick that no wave returns during the contact.
+        """
         if self.thickness is not None:
             return self._line(self.thickness)
         thickness = 10 * self.radius

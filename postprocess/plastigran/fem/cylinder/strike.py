@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Impact of a rigid cylinder on an elastic-plastic body in plane strain, head-on or sliding.
 
-The motion of body and cylinder is computed by implicit dynamics, as in `fem.sphere.throw`. The body
-is half a disc with a fixed arc. The radius of the disc is the thickness of the body in Johnson's
-formula for the approach of a line contact (Contact Mechanics, 1985, sec. 5.6). The
+The motion of body and cylinder is computed by implicit time integration, as in `fem.sphere.throw`.
+The body is half a disc with a fixed arc. The radius of the disc is the thickness of the body in
+Johnson's formula for the approach of a line contact (Contact Mechanics, 1985, sec. 5.6). The
 default thickness is so large that no wave returns from the arc during the contact.
 """
 
@@ -23,14 +23,15 @@ from plastigran.fem.stepping.increment import Balance, Equations, Equilibrium, F
 from plastigran.progress import ProgressBar
 
 SHARES = (1.0, 0.5, 0.25, 0.1)  # fractions of the Newton change that the line search tries
-LONGEST = 4.0  # time limit of an impact / elastic contact duration
+LONGEST = 4.0  # longest computed time of an impact / duration of an elastic contact
 # Largest sliding distance per step / element length. With larger steps, Newton's method fails.
 STRIDE = 0.3
-TRACK_MARGIN = 1.2  # factor on the sliding distance during an elastic contact
+# Path of the circle on the finely meshed track / sliding distance during an elastic contact.
+TRACK_MARGIN = 1.2
 
 
 class StrikeEquations(Equations):
-    """Balance of forces of a body and a circle on its surface."""
+    """Equations of motion of a body and a rigid circle on its surface."""
 
     body: StruckBody
     contact: RigidCircle
@@ -49,10 +50,11 @@ class StrikeEquations(Equations):
     def _step(
         self, displacement: np.ndarray, change: np.ndarray, balance: Balance, forces: Forces
     ) -> tuple[np.ndarray, Balance]:
-        """Return the first iterate along the change that improves the balance of forces.
+        """Return the displacements after a Newton iteration with line search, and their balance.
 
-        The full change often fails, because points come into contact and start to flow while the
-        circle slides. If no fraction of the change improves the balance, the smallest is used.
+        The full Newton change often fails, because points come into contact and start to yield
+        while the circle slides. The largest of the fractions SHARES of the change is used that
+        improves the balance of forces; if none improves it, the smallest.
 
         Raises:
             NoConvergence: Even the smallest fraction turns an element inside out.
@@ -92,7 +94,7 @@ def equations(case: CylinderStrike, settings: Settings) -> StrikeEquations:
             divisions=settings.divisions,
             fineness=settings.fineness,
         )
-        # Compute half of the body with twice the length, because of symmetry.
+        # By symmetry, half of the body is enough. Its double length gives the full force.
         length, start = 2 * case.length, 0.0
         track = (0.0, 2 * reach)
     body = StruckBody(block.build(), case.material, length, case.mass, settings.kinematics)
@@ -111,7 +113,7 @@ def strike(
         case: Impact.
         settings: Settings of mesh and time steps. `steps_of_contact` is the number of time steps
             during the elastic contact.
-        progress: Whether to show a bar.
+        progress: Whether to show a progress bar.
 
     Raises:
         NoConvergence: The first step does not converge even after halving. A later failure ends the

@@ -21,16 +21,17 @@ from plastigran.fem.stepping.snapshot import YIELDED, Snapshot, energies, snapsh
 
 @attrs.frozen
 class Strike:
-    """Impact of a cylinder on a body.
+    """Results of the impact of a cylinder on a body.
 
     Attributes:
-        case: Input.
-        history: One row per step. Columns are time s, force N (upward on the cylinder), drag N (on
-            the cylinder, along its motion) and approach m (depth of the lowest point of the
-            cylinder below the undeformed surface). Columns of the motion are way m (travel along
-            the surface), velocity m/s (upward) and sliding_velocity m/s. Further columns are
-            half_width m of the contact, plastic_top m and plastic_bottom m (depths of the
-            shallowest and deepest yielded point; NaN before yield), energies J and friction_work J.
+        case: Input of the computation.
+        history: Table with one row per time step. Columns are time s, force N (upward on the
+            cylinder), drag N (on the cylinder, along its motion) and approach m (depth of the
+            lowest point of the cylinder below the undeformed surface). Columns of the motion are
+            way m (travel along the surface), velocity m/s (upward) and sliding_velocity m/s.
+            Further columns are half_width m of the contact, plastic_top m and plastic_bottom m
+            (depths of the shallowest and deepest yielded point; NaN before yield), energies J and
+            friction_work J.
         coefficient_of_restitution: Separation speed / approach speed.
         force_max: Largest force, N.
         overlap_max: Largest approach, m.
@@ -38,14 +39,15 @@ class Strike:
         residual_depth: Depth of the deepest point of the surface at rest, m.
         contact_time: Duration of the contact, s.
         yield_force: Force at first yield, N; NaN without yield.
-        yield_point: Point of first yield (2,), divided by the half width of the contact: x from the
-            circle's lowest point, and depth.
-        surface: (x, y) of the surface at rest after the impact (n_points, 2), m; x is measured from
-            the point of first touch.
-        start: First coordinate of first touch in the mesh, m.
-        snapshots: Fields by name: `yield` (at first yield, if any), `deepest`, `end` (of contact).
-        stopped: Reason of an early end; otherwise empty. After an early end, restitution, residual
-            values and contact time are NaN.
+        yield_point: Point of first yield (2,), divided by the half width of the contact: its
+            coordinate x from the lowest point of the circle, and its depth.
+        surface: Coordinates (x, y) of the surface at rest after the impact (n_points, 2), m; x is
+            measured from the point of first touch.
+        start: Coordinate x of the point of first touch in the mesh, m.
+        snapshots: Snapshots of the fields, by name: `yield` (at first yield, if any), `deepest`
+            (at the largest approach) and `end` (at the end of contact).
+        stopped: Reason for an early end of the computation; otherwise empty. After an early end,
+            restitution, residual values and contact time are NaN.
     """
 
     case: CylinderStrike
@@ -76,7 +78,7 @@ class Strike:
 
 
 class StrikeLog:
-    """Recorder of the history and fields of an impact during the computation."""
+    """Recorder of the history and the field snapshots of an impact during its computation."""
 
     def __init__(self, flight: Flight) -> None:
         self.flight = flight
@@ -89,7 +91,7 @@ class StrikeLog:
         self.record()
 
     def record(self) -> float:
-        """Append a row for the last step, and return the contact force of this step, N."""
+        """Append a row for the last time step to the history; return its contact force, N."""
         state = self.flight.now.state
         row = self._row(state)
         self.rows.append(row)
@@ -132,12 +134,12 @@ class StrikeLog:
         return np.array([first - (self.circle.start + row["way"]), -second]) / row["half_width"]
 
     def _surface_at_rest(self) -> np.ndarray:
-        """Return (x, y) of the surface where contact is possible (n_points, 2), m, at rest.
+        """Return the surface at rest (x, y) where contact is possible (n_points, 2), m.
 
-        The waves are assumed to decay elastically, without further yield. The displacement at rest
-        therefore follows from one linear system: the internal forces of the last step divided by
-        the stiffness of the undeformed body give the displacement of the waves, which is
-        subtracted. In finite strain, this is an approximation.
+        At the last step, waves still move the body. They are assumed to decay elastically, without
+        further yield. Their displacements follow from one linear system with the internal forces of
+        the last step and the stiffness of the undeformed body, and are subtracted. In finite
+        strain, this is an approximation.
         """
         body, state = self.body, self.flight.now.state
         fixed = np.concatenate([body.fixed, body.center])
@@ -146,7 +148,7 @@ class StrikeLog:
         return self.circle.surface(state.displacement - waves)
 
     def summary(self, case: CylinderStrike, stopped: str) -> Strike:
-        """Return the outcome of an impact; `stopped` is the reason of an early end, or empty."""
+        """Return the results of an impact; `stopped` is the reason for an early end, or empty."""
         history = pd.DataFrame(self.rows)
         force, time, approach = (history[name].to_numpy() for name in ("force", "time", "approach"))
         end = nan if stopped else end_of_contact(time, force, 1)

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Material models and kinematics."""
+"""Material models, and relations between displacements and strains."""

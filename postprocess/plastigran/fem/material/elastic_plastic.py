@@ -17,7 +17,8 @@ from plastigran.declared import number
 from plastigran.fem.material.hardening import Hardening, RateFactor
 
 IDENTITY = np.array([1.0, 1.0, 1.0, 0.0])
-# Matrix from a strain with engineering shear to its deviator with tensor shear, as in stress.
+# Matrix from strains (rr, yy, tt, ry) to their deviator. The shear strain is halved: from
+# engineering shear to a tensor component.
 DEVIATOR = np.diag([1.0, 1.0, 1.0, 0.5]) - np.outer(IDENTITY, IDENTITY) / 3
 TWICE_SHEAR = np.array([1.0, 1.0, 1.0, 2.0])
 RETURN_ITERATIONS = 50
@@ -30,7 +31,7 @@ class NoReturnError(ArithmeticError):
 
 @attrs.frozen
 class State:
-    """State of material points.
+    """State of n material points.
 
     Attributes:
         plastic_strain: Plastic strain (n, 4).
@@ -54,20 +55,20 @@ class State:
         return State(*before), State(*others)
 
     def joined(self, other: State) -> State:
-        """Return the state of these points followed by the points of `other`."""
+        """Return one state with these points, followed by the points of `other`."""
         columns = zip(attrs.astuple(self), attrs.astuple(other), strict=True)
         return State(*map(np.concatenate, columns))
 
 
 @attrs.frozen
 class Response:
-    """Material response to a strain.
+    """Response of n material points to a strain increment.
 
     Attributes:
         stress: Stress (n, 4), Pa.
         state: State after the increment.
-        flowing: Indices of the points that flow (k,).
-        tangent: d stress / d strain of the flowing points (k, 4, 4), Pa.
+        flowing: Indices of the points that yield in the increment (k,).
+        tangent: d stress / d strain of the yielding points (k, 4, 4), Pa.
     """
 
     stress: np.ndarray
@@ -76,13 +77,13 @@ class Response:
     tangent: np.ndarray
 
     def elastic(self) -> Response:
-        """Return the same response with elastic tangents, for a load reversal."""
+        """Return the same response with elastic tangents, to start an unloading."""
         return attrs.evolve(self, flowing=self.flowing[:0], tangent=self.tangent[:0])
 
 
 @attrs.frozen(kw_only=True)
 class ElasticPlastic:
-    """Isotropic metal; elastic if `hardening` is None."""
+    """Isotropic elastic-plastic metal; purely elastic if `hardening` is None."""
 
     youngs_modulus: float = number("Young's modulus", "Pa", 0)
     poissons_ratio: float = number("Poisson's ratio", "-", -1, 0.5)
@@ -123,7 +124,13 @@ class ElasticPlastic:
         return volumetric + 2 * self.shear_modulus * DEVIATOR
 
     def respond(self, strain: np.ndarray, state: State, duration: float = np.inf) -> Response:
-        """Return the response after an increment of `duration` seconds that ends at `strain`."""
+        """Return the response at the end of an increment.
+
+        Args:
+            strain: Strain at the end of the increment (n, 4).
+            state: State at its start.
+            duration: Duration of the increment, s.
+        """
         stress = (strain - state.plastic_strain) @ self.elastic_tangent
         if self.hardening is None:
             return Response(stress, state, np.empty(0, int), np.empty((0, 4, 4)))
@@ -149,7 +156,7 @@ class ElasticPlastic:
     ) -> np.ndarray:
         shear = self.shear_modulus
         theta = 1 - 3 * shear * step / trial
-        # The factor 1.5 converts d (`direction`) to the unit normal n of Simo and Hughes:
+        # Simo and Hughes use the unit normal n; here, d is `direction`. The factor 1.5 follows from
         # n n^T = 3/2 d d^T.
         normal = 1.5 * (1 / (1 + slope / (3 * shear)) - (1 - theta))
         return (
@@ -161,9 +168,9 @@ class ElasticPlastic:
     def _flow(
         self, trial: np.ndarray, accumulated: np.ndarray, duration: float
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Return increments of plastic strain, flow stresses and slopes of the flow stress.
+        """Return the increments of plastic strain, the flow stresses and their derivatives.
 
-        Newton's method finds the increments, with bisection as a fallback.
+        The increments are found by Newton's method, with bisection as a fallback.
         """
         shear = self.shear_modulus
         low, high = np.zeros_like(trial), trial / (3 * shear)

@@ -12,7 +12,7 @@ from plastigran.declared import number
 
 
 class Hardening(Protocol):
-    """Flow stress of a metal."""
+    """Flow stress of a metal as a function of the accumulated plastic strain."""
 
     yield_strength: float
 
@@ -43,7 +43,7 @@ def _increasing(instance: TabulatedHardening, field: attrs.Attribute, value: tup
 
 @attrs.frozen
 class TabulatedHardening(Hardening):
-    """Flow stress that is linear between the points of a table, and constant beyond.
+    """Flow stress that is linear between the points of a table, and constant beyond the last point.
 
     Attributes:
         strains: Accumulated plastic strains, starting at 0.
@@ -84,7 +84,7 @@ class RateFactor:
     reference_rate: float = number("strain rate at which the factor is 1", "1/s", 0, default=1.0)
 
     def factor(self, rate: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Return the factor [-] and its derivative with respect to the rate, s."""
+        """Return the factor [-] on the flow stress, and its derivative by the strain rate, s."""
         above = rate > self.reference_rate
         safe = np.where(above, rate, self.reference_rate)
         factor = 1 + self.coefficient * np.log(safe / self.reference_rate)

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Relation between displacements and strains: small strain, or finite logarithmic strain.
 
-Displacement gradients are columns (rr, yy, tt, ry, yr); ry is the derivative of the first
-displacement by the second coordinate. A "measure" is the quantity from which strains are computed.
-The material model always uses strains (rr, yy, tt, ry) with engineering shear strain.
+Displacement gradients are columns (rr, yy, tt, ry, yr). For example, ry is the derivative of the
+radial displacement with respect to y, and tt is the circumferential component. A "measure" is the
+quantity from which strains are computed. The material model always uses strains (rr, yy, tt, ry)
+with engineering shear strain.
 """
 
 from __future__ import annotations
@@ -27,20 +28,24 @@ class SmallStrain:
     surface_moves = False
 
     def matrices(self, gradients: np.ndarray) -> np.ndarray:
-        """Return matrices from nodal displacements to measures (..., m, 16).
+        """Return matrices from nodal displacements to strain measures (..., m, 16).
 
-        `gradients` are the matrices to displacement gradients (..., 5, 16).
+        `gradients` (..., 5, 16) are the matrices from nodal displacements to displacement
+        gradients.
         """
         result = gradients[..., :4, :].copy()
         result[..., 3, :] += gradients[..., 4, :]
         return result
 
     def undeformed(self, elastic_tangent: np.ndarray) -> np.ndarray:
-        """Return the tangent (m, m) of the undeformed body, Pa, from the elastic tangent (4, 4)."""
+        """Return the tangent of the undeformed body for the strain measure (m, m), Pa.
+
+        `elastic_tangent` is the elastic tangent of the material (4, 4), Pa.
+        """
         return elastic_tangent
 
     def strain(self, measure: np.ndarray) -> np.ndarray:
-        """Return strains (n, 4) for measures (n, m).
+        """Return strains (n, 4) for strain measures (n, m).
 
         Raises:
             InvertedError: The material is turned inside out.
@@ -48,15 +53,20 @@ class SmallStrain:
         return measure
 
     def conjugate(self, measure: np.ndarray, stress: np.ndarray) -> np.ndarray:
-        """Return the stresses (n, m), Pa, conjugate to the measures, from stresses (n, 4)."""
+        """Return the stresses (n, m), Pa, that are work-conjugate to the strain measures.
+
+        `stress` contains the stresses of the material model (n, 4), Pa.
+        """
         return stress
 
     def tangent(
         self, measure: np.ndarray, response: Response, elastic_tangent: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
-        """Return the points (k,) that differ from the undeformed body, and their tangents.
+        """Return the tangents of the points whose tangent is not that of the undeformed body.
 
-        The tangent is d(conjugate stress)/d(measure) (k, m, m), Pa.
+        Returns:
+            Indices of these points (k,), and their tangents d(conjugate stress)/d(measure)
+            (k, m, m), Pa.
         """
         return response.flowing, response.tangent
 

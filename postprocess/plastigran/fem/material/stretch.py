@@ -5,9 +5,10 @@ from __future__ import annotations
 
 import numpy as np
 
-# Indices of the components in the plane, rr, yy, ry and yr, in gradients (rr, yy, tt, ry, yr).
+# Indices of the in-plane components rr, yy, ry and yr among the gradients (rr, yy, tt, ry, yr).
 IN_PLANE = np.array([0, 1, 3, 4])
-SERIES_BELOW = 1e-2  # relative difference of two eigenvalues below which a series is used
+# If the relative difference of two eigenvalues is smaller, divided differences use a series.
+SERIES_BELOW = 1e-2
 
 
 class InvertedError(ArithmeticError):
@@ -19,7 +20,7 @@ class Stretch:
 
     F is the deformation gradient and C = F^T F.
 
-    Indices in einsum: n counts points; g and h components of F in the plane; a, b and k
+    Indices in einsum: n is the point; g and h are in-plane components of F; a, b and k are
     eigenvectors.
     """
 
@@ -34,7 +35,7 @@ class Stretch:
         if not (np.all(determinant > 0) and np.all(self._hoop > -1)):
             raise InvertedError("the displacements turn an element inside out")
         deformation = np.stack([1 + radial, upper, lower, 1 + axial], axis=-1).reshape(-1, 2, 2)
-        # Compute C - 1 directly, because C is close to one.
+        # Compute C - 1 directly. C is close to one, so that a later subtraction would lose digits.
         first = 2 * radial + radial**2 + lower**2
         second = 2 * axial + axial**2 + upper**2
         mixed = upper + lower + radial * upper + axial * lower
@@ -46,7 +47,7 @@ class Stretch:
         # Eigenvalues of C minus one.
         self._squares = np.stack([mean + spread, mean - spread], axis=-1)
         self._difference = 2 * spread
-        # Compute the change dC, in the basis of eigenvectors, for each component of dF (IN_PLANE).
+        # For each in-plane component of dF, compute the change dC in the basis of eigenvectors.
         turned = deformation @ self._vectors
         product = np.einsum("nia,njb->nijab", turned, self._vectors)
         product = product + product.swapaxes(3, 4)
@@ -67,7 +68,7 @@ class Stretch:
         return np.insert(plane, 2, stress[:, 2] / (1 + self._hoop), axis=1)
 
     def tangent(self, stress: np.ndarray, material: np.ndarray) -> np.ndarray:
-        """Return derivatives (n, 5, 5) of the first Piola-Kirchhoff stress, Pa.
+        """Return the derivatives of the first Piola-Kirchhoff stress by F (n, 5, 5), Pa.
 
         The arguments are stresses (n, 4), Pa, and tangents of the material (n, 4, 4), Pa.
         """
@@ -100,7 +101,7 @@ class Stretch:
         return result
 
     def _turn(self, stress: np.ndarray) -> np.ndarray:
-        """Return stresses in the plane (n, 2, 2), in the basis of eigenvectors."""
+        """Return the in-plane stresses (n, 2, 2) in the basis of the eigenvectors of C."""
         tensor = stress[:, [0, 3, 3, 1]].reshape(-1, 2, 2)
         return self._vectors.swapaxes(1, 2) @ tensor @ self._vectors
 
@@ -114,7 +115,7 @@ class Stretch:
         return np.stack([equal[:, 0], mixed, mixed, equal[:, 1]], axis=-1).reshape(-1, 2, 2)
 
     def _second(self) -> np.ndarray:
-        """Return divided differences f[a, k, b] (n, 2, 2, 2)."""
+        """Return second divided differences f[a, k, b] (n, 2, 2, 2) of f = 1/2 ln, as `_first`."""
         values = 1 + self._squares
         result = np.empty((len(values), 2, 2, 2))
         for one, other in ((0, 1), (1, 0)):
@@ -126,7 +127,10 @@ class Stretch:
 
 
 def _second_difference(twice: np.ndarray, once: np.ndarray) -> np.ndarray:
-    """Return f[x, x, y] of f = 1/2 ln, by its series if x and y are close."""
+    """Return the divided difference f[x, x, y] of f = 1/2 ln; if x and y are close, by a series.
+
+    `twice` is x, which appears twice, and `once` is y.
+    """
     ratio = (twice - once) / once
     near = np.abs(ratio) < SERIES_BELOW
     safe = np.where(near, 1.0, ratio)

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Meshes of eight-node quadrilaterals, graded toward a contact."""
+"""Meshes of eight-node quadrilaterals that are finest at the contact."""

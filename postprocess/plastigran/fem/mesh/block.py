@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Meshes of a half space under a contact, with surface y = 0.
+"""Meshes of a half space under a contact; the surface is y = 0.
 
 The element size grows with the distance from the contact. A body that is a thousand times larger
 therefore needs only a few more rings of elements. The far boundary, `base`, is a fixed arc.
@@ -23,21 +23,21 @@ from plastigran.fem.mesh.sphere import (
     strip_quads,
 )
 
-WIDEST_RING = 0.4  # largest step of the coordinate s between two rings about a track
+WIDEST_RING = 0.4  # largest difference in s between two rings; see TrackBlock for s
 
 
 @attrs.frozen(kw_only=True)
 class HalfBlock:
-    """Half of a half space with a load on its axis: rings about the contact point.
+    """Mesh for a symmetric load on a half space: rings about the contact point, for x >= 0.
 
     Raises:
-        ValueError: A size is not positive, or the rings end inside the contact.
+        ValueError: A field is not positive, or `size` ends within the fine zone.
     """
 
     core: float = number("radius inside which elements have equal size", "m", 0)
     reach: float = number("largest contact radius of the mesh", "m", 0)
     size: float = number("radius of the base", "m", 0)
-    divisions: int = whole("elements across the core", 2, default=6)
+    divisions: int = whole("number of elements across the core", 2, default=6)
     fineness: float = number("factor on the number of rings", "-", 0.1, 10, default=1.0)
 
     def __attrs_post_init__(self) -> None:
@@ -62,13 +62,14 @@ class HalfBlock:
 
 @attrs.frozen(kw_only=True)
 class TrackBlock:
-    """Half space with a sliding contact: elliptic rings about the track of the contact.
+    """Mesh of a half space for a sliding contact: elliptic rings about the track of the contact.
 
-    The rings are lines of equal s in z = c cosh(s + i theta). The ring s = 0 is the track
-    -c < x < c on the surface. Far from the track, the rings are circles.
+    With z = x + iy and the half length c of the track, the rings are lines of equal s in
+    z = c cosh(s + i theta). The ring s = 0 is the track -c < x < c on the surface. Far from the
+    track, the rings are circles.
 
     Raises:
-        ValueError: A size is not positive, or the rings end within the fine zone.
+        ValueError: A field is not positive, or `size` ends within the fine zone.
     """
 
     half_length: float = number("half length of the track", "m", 0)
@@ -91,7 +92,12 @@ class TrackBlock:
 
 
 def _mesh(points: np.ndarray, quads: np.ndarray) -> MeshQuad2:
-    """Return straight-sided elements between points x + iy, with named boundaries."""
+    """Return a mesh of straight-sided elements with named boundaries.
+
+    Args:
+        points: Corner points x + iy, m.
+        quads: Indices of the four corners of each element.
+    """
     size = np.abs(points).max()
     coordinates = np.array([points.real, points.imag])
     coordinates[np.abs(coordinates) < 1e-12 * size] = 0.0

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Meshes of eight-node quadrilaterals, graded conformally toward the contact.
+"""Meshes of a sphere: eight-node quadrilaterals that a conformal map grades toward the contact.
 
-A half disc of radius R with its lowest point at the origin is the image of a quarter plane under
-z = 2iR w/(1 + w), w = exp(s - i theta), 0 <= theta <= pi/2. The axis is theta = 0, the circle is
-theta = pi/2, the equator is |w| = 1, and near the contact a = 2R |w|. Rings of equal |w| with equal
-steps in s and theta give nearly square elements of any size. One mesh therefore resolves a contact
-of a thousandth of the radius without a transition.
+A half disc of radius R, with its lowest point at the origin, is the image of a quarter plane. The
+map is z = 2iR w/(1 + w) with w = exp(s - i theta) and 0 <= theta <= pi/2. The axis is theta = 0,
+the circle is theta = pi/2, and the equator is |w| = 1. Near the contact point, the distance from it
+is 2R |w|. Rings of equal |w| with equal steps in s and theta give nearly square elements of any
+size. One mesh therefore resolves a contact radius of a thousandth of R, without a transition zone.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from skfem import MeshQuad, MeshQuad2
 
 FINE_RATIO = 3.0  # ratio of the step in theta to the step in s for rings at the contact edge
 FINE_REACH = 1.3  # radius at which the fine rings end / largest contact radius
-GROWTH = 1.25  # largest ratio of consecutive ring distances outside the fine zone
+GROWTH = 1.25  # largest ratio of consecutive distances between rings outside the fine zone
 
 
 @attrs.frozen(kw_only=True)
@@ -29,7 +29,8 @@ class SphereMesh:
         radius: Radius of the sphere, m.
         core: Radius about the contact point inside which elements have equal size, m.
         reach: Largest contact radius of the mesh, m.
-        divisions: Number of elements across `core`. A ring has twice as many from axis to circle.
+        divisions: Number of elements across `core`. A ring has twice as many elements from the axis
+            to the circle.
         fineness: Factor on the number of rings.
         whole: Whether to mesh the whole sphere instead of its lower half.
     """
@@ -83,12 +84,15 @@ class SphereMesh:
         return middle
 
     def _to_sphere(self, w: np.ndarray) -> np.ndarray:
-        """Return r + iy for w by the formula in the module docstring, mirrored to r >= 0."""
+        """Return r + iy for w by the conformal map of this module, mirrored to r >= 0."""
         z = 2j * self.radius * w / (1 + w)
         return np.abs(z.real) + 1j * z.imag
 
     def _quarter_plane(self) -> tuple[np.ndarray, np.ndarray]:
-        """Return points w and quads (n, 4): core, rings, and a disc in 1/w for the upper half."""
+        """Return the points w and the corners of the elements (n, 4).
+
+        The mesh consists of the core, the rings, and for the upper half a disc in 1/w.
+        """
         disc, disc_quads, rim = quarter_disc(self.divisions)
         angle = np.exp(-1j * np.linspace(0, pi / 2, 2 * self.divisions + 1))
         ends = (self.core, max(FINE_REACH * self.reach, self.core), 2 * self.radius)
@@ -111,7 +115,7 @@ class SphereMesh:
 
 
 def graded(start: float, fine_end: float, end: float, fine: float, widest: float) -> np.ndarray:
-    """Return increasing values from `start` to `end`.
+    """Return increasing values from `start` to `end`, such as radii of rings.
 
     The spacing is `fine` up to `fine_end`. Beyond `fine_end`, the spacing grows by the factor
     GROWTH from value to value, up to `widest`.
@@ -130,21 +134,21 @@ def graded(start: float, fine_end: float, end: float, fine: float, widest: float
 def ring_radii(
     core: float, fine_end: float, end: float, divisions: int, fineness: float
 ) -> np.ndarray:
-    """Return radii of rings about a contact, with fine rings up to `fine_end`."""
+    """Return the radii of the rings of elements about a contact, narrow up to `fine_end`."""
     coarse = pi / (4 * divisions) / fineness
     ends = (log(radius) for radius in (core, fine_end, end))
     return np.exp(graded(*ends, coarse / FINE_RATIO, 2 * coarse))
 
 
 def quarter_disc(divisions: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return a unit quarter disc of quads: a curved square inside rings.
+    """Return the mesh of a unit quarter disc: a curved square inside rings.
 
     Args:
         divisions: Number of elements along a side of the square; the arc has twice as many.
 
     Returns:
-        Points x + iy (n,), quads (m, 4), and IDs of the points on the circle from the real to the
-        imaginary axis (2 divisions + 1,).
+        Points x + iy (n,), corners of the elements (m, 4), and IDs of the points on the circle from
+        the real to the imaginary axis (2 divisions + 1,).
     """
     side = np.linspace(0, 1, divisions + 1)
     x, y = np.meshgrid(side, side, indexing="ij")
@@ -166,13 +170,13 @@ def quarter_disc(divisions: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 
 
 def strip_quads(ids: np.ndarray) -> np.ndarray:
-    """Return quads (m, 4) between the rows of a grid of point IDs."""
+    """Return the corners (m, 4) of the quadrilaterals of a grid; `ids` are its point IDs."""
     corners = [ids[:-1, :-1], ids[1:, :-1], ids[1:, 1:], ids[:-1, 1:]]
     return np.stack(corners, axis=-1).reshape(-1, 4)
 
 
 def counterclockwise(quads: np.ndarray, points: np.ndarray) -> np.ndarray:
-    """Return the quads with counterclockwise corners."""
+    """Return the quadrilaterals with their corners in counterclockwise order."""
     corner = points[quads]
     diagonals = (corner[:, 2] - corner[:, 0]).conj() * (corner[:, 3] - corner[:, 1])
     return np.where((diagonals.imag < 0)[:, None], quads[:, ::-1], quads)

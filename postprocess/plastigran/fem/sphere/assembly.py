@@ -11,10 +11,10 @@ from plastigran.fem.settings import Settings
 from plastigran.fem.stepping.increment import Equations
 from plastigran.fem.theory.hertz import HertzSphere
 
-# Radius D of the fixed base / contact radius a. The base reduces the approach by 0.4 a/D, relative
-# to an infinite half space.
+# Radius D of the fixed base of the half space / contact radius a. Relative to an infinite half
+# space, the base reduces the approach by the fraction 0.4 a/D.
 BASE_OVER_REACH = 2000.0
-# Radius of the base / path of a compression wave during the Hertz contact duration. With this
+# Radius of the base / distance that a compression wave travels during a Hertz contact. With this
 # value, the reflected wave arrives after the contact has ended.
 BASE_OVER_PATH = 0.6
 
@@ -49,8 +49,8 @@ def _assemble(
 ) -> Equations:
     if sphere.plane is not None and settings.strain != "small":
         raise ValueError(
-            f"strain is {settings.strain}; on a half space it must be small, because the method "
-            "needs small sliding between the surfaces"
+            f"strain is {settings.strain}; on a half space it must be small. Use small strain or "
+            "a rigid plane"
         )
     mesh = settings.mesh(sphere, reach, whole).build()
     body = Body(mesh, sphere.material, kinematics=settings.kinematics)

@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Constants of Vu-Quoc and Zhang's law from a finite-element compression.
 
-For loading beyond the yield force P_Y, the law is (Vu-Quoc and Zhang, 1999):
-a = a_e + C_a (P - P_Y), a^2 = C_R R alpha, C_R = 1 + K_c (P - P_Y), with the Hertzian contact
-radius a_e and the approach alpha. Both constants are slopes of least-squares lines through zero,
-fitted to first loading. C_a is the slope of a - a_e versus P - P_Y. K_c is the slope of
-(a_e + C_a (P - P_Y))^2 / (R alpha) - 1 versus P - P_Y. The weights are the distances between force
-increments. The fit of K_c uses the contact radius of the law. The law therefore reproduces the
-approach of the finite elements as well as possible.
+For loading at a force P beyond the yield force P_Y, the law is (Vu-Quoc and Zhang, 1999):
+a = a_e + C_a (P - P_Y), a^2 = C_R R alpha, C_R = 1 + K_c (P - P_Y). Here, a is the contact radius,
+a_e the Hertzian contact radius, R the sphere radius and alpha the approach.
+
+The constants C_a and K_c are slopes of least-squares lines through zero, fitted to first loading.
+C_a is the slope of a - a_e versus P - P_Y. K_c is the slope of
+(a_e + C_a (P - P_Y))^2 / (R alpha) - 1 versus P - P_Y. The weight of a point is half the distance
+between its neighboring forces. The fit of K_c uses the contact radius of the law, not the computed
+contact radius.
+The law therefore reproduces the computed approach as well as possible.
 """
 
 from __future__ import annotations
@@ -26,8 +29,8 @@ class Calibration:
     """Fitted constants of the law `vu_quoc_zhang`, and their errors.
 
     Attributes:
-        contact_radius_coefficient: C_a P_Y / a_Y, constant of the law `vu_quoc_zhang`.
-        curvature_coefficient: K_c P_Y, constant of the law.
+        contact_radius_coefficient: C_a P_Y / a_Y, with the contact radius a_Y at yield.
+        curvature_coefficient: K_c P_Y.
         contact_radius_per_force: C_a, m/N.
         curvature_per_force: K_c, 1/N.
         yield_force: P_Y, N.
@@ -55,8 +58,8 @@ def calibrate(pressing: Pressing) -> Calibration:
 
     Raises:
         ValueError: The largest force is below LEAST_RATIO times the yield force. Or the plane is a
-            half space, for which the law's yield force does not hold. Or a constant is not
-            positive, because the metal hardens so much that it hardly flows.
+            half space, for which the yield force of the law does not hold. Or a constant is not
+            positive, because the metal hardens so much that it hardly yields.
     """
     if pressing.plane is not None:
         raise ValueError(
@@ -96,7 +99,7 @@ def calibrate(pressing: Pressing) -> Calibration:
 
 
 def check_range(sphere: HertzSphere, force: float) -> None:
-    """Check that the largest force, N, is large enough for a fit.
+    """Check that the largest force, N, is large enough for a fit of the law's constants.
 
     Raises:
         ValueError: The force is below LEAST_RATIO times the yield force.
@@ -110,5 +113,5 @@ def check_range(sphere: HertzSphere, force: float) -> None:
 
 
 def _slope(x: np.ndarray, y: np.ndarray, weight: np.ndarray) -> float:
-    """Return the slope of the weighted least-squares line through zero."""
+    """Return the slope of the weighted least-squares line y(x) through the origin."""
     return float(np.sum(weight * x * y) / np.sum(weight * x * x))

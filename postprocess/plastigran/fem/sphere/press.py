@@ -23,8 +23,8 @@ from plastigran.fem.stepping.snapshot import energies, snapshot
 from plastigran.fem.theory.hertz import HertzSphere
 from plastigran.progress import ProgressBar
 
-# Ratio of consecutive forces below yield. It may be large, because an elastic response does not
-# depend on the path.
+# Ratio of consecutive forces below yield. A large ratio is accurate, because the elastic response
+# does not depend on the loading path.
 ELASTIC_GROWTH = 1.4
 # Largest first force / yield force. The first force is also at most a hundredth of `forces[0]`.
 FIRST_FORCE = 0.3
@@ -33,7 +33,10 @@ CUTS = 6  # largest number of halvings of an increment
 
 
 class ForceControl:
-    """Force control of a supported sphere. Applies forces, and appends a row to `rows` for each."""
+    """Force control of a supported sphere.
+
+    For each force that it applies, it appends a row to `rows`, the history of the compression.
+    """
 
     def __init__(self, equations: Equations, sphere: HertzSphere) -> None:
         self.equations, self.sphere = equations, sphere
@@ -42,7 +45,13 @@ class ForceControl:
         self._before: Equilibrium | None = None
 
     def apply(self, forces: Sequence[float], branch: int, bar: ProgressBar) -> None:
-        """Apply each force in turn; the first force reverses the direction of loading."""
+        """Apply each force in turn; the first force reverses the direction of loading.
+
+        Args:
+            forces: Forces, N.
+            branch: Number of the loading or unloading, for the history.
+            bar: Progress bar.
+        """
         self._before = None
         for force in forces:
             self._increment(force)
@@ -73,9 +82,10 @@ class ForceControl:
                 self._increment(part, cuts + 1)
 
     def _guess(self, force: float) -> tuple[np.ndarray, float]:
-        """Return the initial guess of Newton's method: displacement and height of the plane.
+        """Return the initial guess of Newton's method: nodal displacements and height of the plane.
 
-        The guess is extrapolated; at first touch and after a load reversal, it is elastic.
+        The guess is extrapolated from the last two equilibria. At first touch and after a load
+        reversal, it is an elastic estimate.
         """
         now, before = self.now, self._before
         if now.touch.force == 0:
@@ -97,14 +107,14 @@ def press(
     progress: bool = False,
     plane: ElasticPlastic | None = None,
 ) -> Pressing:
-    """Load a sphere to each force in turn, and unload the sphere after each force.
+    """Press a sphere on a plane with each force in turn, and unload the sphere after each force.
 
     Args:
         material: Material of the sphere.
         radius: Radius of the sphere, m.
         forces: Largest forces, N, increasing.
         settings: Settings of mesh and increments.
-        progress: Whether to show a bar.
+        progress: Whether to show a progress bar.
         plane: Material of the half space; None for a rigid plane.
 
     Raises:
@@ -140,7 +150,7 @@ def press(
 def loading_ladders(
     sphere: HertzSphere, forces: Sequence[float], settings: Settings
 ) -> list[np.ndarray]:
-    """Return the forces of all increments, N, an array for each loading and each unloading."""
+    """Return the forces of all increments, N: one array for each loading and for each unloading."""
     yield_force = min(sphere.yield_force, forces[-1])
     least = min(FIRST_FORCE * yield_force, forces[0] / 100)
     elastic = _geometric(least, yield_force, ELASTIC_GROWTH)
@@ -165,10 +175,14 @@ def _geometric(start: float, end: float, growth: float) -> np.ndarray:
 
 
 def unloading(history: pd.DataFrame, branch: int) -> dict[str, float]:
-    """Return the results of one unloading.
+    """Return the results of one unloading, as listed in `Pressing.unloadings`.
 
-    Works are integrals of the force with respect to the approach. The work of loading includes
-    first loading only, not earlier unloading and reloading.
+    Args:
+        history: History of the compression; see `Pressing.history`.
+        branch: Number of the unloading in the column `branch`.
+
+    The works are integrals of the force with respect to the approach. The work of loading includes
+    only first loading, not earlier unloading and reloading.
     """
     force, approach = (history[name].to_numpy() for name in ("force", "approach"))
     branches = history["branch"].to_numpy()
@@ -176,7 +190,7 @@ def unloading(history: pd.DataFrame, branch: int) -> dict[str, float]:
     up = first_loading_of(history.iloc[: top + 1])[["force", "approach"]].to_numpy().T
     down = np.append(top, np.flatnonzero(branches == branch))
     work_loading = 0.4 * up[0, 0] * up[1, 0] + _work(*up)
-    # The last force is almost zero. Treat the rest of the recovery as a Hertz contact.
+    # The last force is almost zero. Extrapolate the unloading to zero force as a Hertz contact.
     last = down[-1]
     tail = (force[last] / force[top]) ** (2 / 3) * (approach[top] - approach[last])
     work_unloading = -_work(force[down], approach[down])
@@ -192,9 +206,10 @@ def unloading(history: pd.DataFrame, branch: int) -> dict[str, float]:
 
 
 def _work(force: np.ndarray, approach: np.ndarray) -> float:
-    """Return the work: the integral of P d alpha by Simpson's rule in x = P^(1/3).
+    """Return the work, J: the integral of the force P over the approach alpha.
 
-    The approach is smooth in x, and P d alpha = d(P alpha) - 3 alpha x^2 dx.
+    Simpson's rule is applied in x = P^(1/3), because the approach is a smooth function of x. The
+    integrand follows from P d alpha = d(P alpha) - 3 alpha x^2 dx.
     """
     root = np.cbrt(force)
     product = force * approach

@@ -10,8 +10,8 @@ from plastigran.fem.material.elastic_plastic import ElasticPlastic
 from plastigran.fem.result_file import numbers
 from plastigran.fem.stepping.snapshot import Snapshot
 
-# Forces with a relative difference below this value count as equal. The value exceeds the error of
-# Newton's method.
+# Forces with a relative difference below this value count as equal. The value is larger than the
+# error of the forces from Newton's method.
 ROUNDING = 1e-6
 
 
@@ -22,11 +22,11 @@ class Pressing:
     Attributes:
         material: Material of the sphere.
         radius: Radius of the sphere, m.
-        history: One row per increment: force N, approach m, contact_radius m, energies J, and
-            `branch`. It is 0 for loading to the first force, 1 for unloading, 2 for loading to the
-            second force, and so on.
-        unloadings: One row per largest force: force, approach, contact_radius, residual_approach,
-            work_loading, work_unloading, coefficient_of_restitution.
+        history: Table with one row per increment: force N, approach m, contact_radius m, energies
+            J, and `branch`. The number `branch` is 0 for loading to the first force, 1 for
+            unloading, 2 for loading to the second force, and so on.
+        unloadings: Table with one row per largest force: force N, approach m, contact_radius m,
+            residual_approach m, work_loading J, work_unloading J, coefficient_of_restitution.
         snapshots: Fields at each largest force and after each unloading.
         stopped: Reason for an early end; otherwise empty.
         plane: Material of the half space; None for a rigid plane.
@@ -49,7 +49,7 @@ class Pressing:
 
 
 def first_loading_of(history: pd.DataFrame) -> pd.DataFrame:
-    """Return the rows of first loading, whose force exceeds all earlier forces."""
+    """Return the rows of a history in which the force exceeds all earlier forces."""
     loading = history[history["branch"] % 2 == 0]
     reached = loading["force"].cummax().shift(fill_value=0)
     return loading[loading["force"] > (1 + ROUNDING) * reached]
@@ -63,9 +63,9 @@ class Throw:
         material: Material of the sphere.
         radius: Radius of the sphere, m.
         speed: Impact speed, m/s.
-        history: One row per step: time s, force N, approach m (of the center of mass), velocity m/s
-            (of the center of mass, upward), nodal_velocity m/s (mean of the corner nodes, upward),
-            contact_radius m, energies J.
+        history: Table with one row per time step: time s, force N, approach m (of the center of
+            mass), velocity m/s (of the center of mass, upward), nodal_velocity m/s (mean of the
+            corner nodes, upward), contact_radius m, energies J.
         coefficient_of_restitution: Momentum after the impact / momentum before the impact.
         nodal_restitution: Restitution from the mean velocity of all corner nodes at the end. This
             value includes the vibration of the sphere, mostly of the finely meshed part.
@@ -73,9 +73,10 @@ class Throw:
         overlap_max: Largest approach, m.
         overlap_res: Approach at the end of contact, m.
         contact_time: Duration of the contact, s.
-        snapshots: Fields by time, s: `Settings.frames` snapshots per duration of a Hertz impact.
-        stopped: Reason of an early end; otherwise empty. After an early end, the values at the end
-            are NaN.
+        snapshots: Snapshots of the fields, by time, s: `Settings.frames` snapshots per duration of
+            a Hertz impact.
+        stopped: Reason for an early end of the computation; otherwise empty. After an early end,
+            the values at the end of the impact are NaN.
         plane: Material of the half space; None for a rigid plane.
     """
 

@@ -9,7 +9,7 @@ PADDING = 8  # zero-padding factor, which interpolates peaks without improving t
 
 
 def spectrum(values: np.ndarray, timestep: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return the amplitudes of the sinusoids in a signal minus its mean.
+    """Return the amplitude spectrum of a signal after its mean is subtracted.
 
     With the Blackman-Harris window, the spectrum of a sinusoid is below 3e-5 of its amplitude at
     frequency distances above 4/duration (Harris 1978, Proc. IEEE 66:51).
@@ -19,7 +19,7 @@ def spectrum(values: np.ndarray, timestep: float) -> tuple[np.ndarray, np.ndarra
         timestep: Time step, s.
 
     Returns:
-        Frequencies, Hz, and amplitudes in the unit of the values, (4 n + 1,) each.
+        Frequencies, Hz, and amplitudes in the unit of the values; each (4 n + 1,).
     """
     from scipy.signal.windows import blackmanharris  # imported here: scipy.signal is slow
 
@@ -33,15 +33,17 @@ def spectrum(values: np.ndarray, timestep: float) -> tuple[np.ndarray, np.ndarra
 def peaks(
     frequencies: np.ndarray, amplitudes: np.ndarray, least: float = 0.01
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return the peaks of a spectrum, from parabolas through the logarithms of three amplitudes.
+    """Return the peaks of a spectrum.
+
+    A parabola through the logarithms of three amplitudes gives each peak.
 
     Args:
         frequencies: Evenly spaced frequencies (n,), Hz, starting at 0.
         amplitudes: Amplitudes (n,).
-        least: Smallest peak / largest amplitude.
+        least: Smallest amplitude of a peak / largest amplitude of the spectrum.
 
     Returns:
-        Increasing frequencies, Hz, and amplitudes, (n_peaks,) each.
+        Increasing frequencies, Hz, and amplitudes; each (n_peaks,).
     """
     from scipy.signal import find_peaks  # imported here: scipy.signal is slow
 

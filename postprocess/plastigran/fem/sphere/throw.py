@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Impact of a sphere on a rigid plane or a half space, by implicit dynamics (trapezoidal rule).
+"""Impact of a sphere on a rigid plane or a half space.
 
-The sphere starts with its impact speed at first touch.
+The motion is integrated implicitly by the trapezoidal rule. The computation starts at first touch,
+with the impact speed.
 """
 
 from __future__ import annotations
@@ -21,7 +22,7 @@ from plastigran.fem.stepping.snapshot import energies, snapshot
 from plastigran.fem.theory.hertz import HertzSphere
 from plastigran.progress import ProgressBar
 
-LONGEST = 10.0  # time limit of an impact / Hertz contact duration
+LONGEST = 10.0  # longest computed time of an impact / duration of a Hertz contact
 
 
 def throw(
@@ -32,16 +33,16 @@ def throw(
     progress: bool = False,
     plane: ElasticPlastic | None = None,
 ) -> Throw:
-    """Compute the impact of a sphere on a plane until the sphere has separated.
+    """Compute the impact of a sphere on a plane until the sphere has separated from the plane.
 
     Args:
         material: Material of the sphere.
         radius: Radius of the sphere, m.
         speed: Impact speed, m/s.
         settings: Settings of mesh and time steps.
-        progress: Whether to show a bar.
-        plane: Material of the half space, so deep that no wave returns during contact; None for a
-            rigid plane.
+        progress: Whether to show a progress bar.
+        plane: Material of the half space; None for a rigid plane. The half space is so deep that no
+            wave returns during contact.
 
     Raises:
         ValueError: The speed is not positive or too large for the mesh, or finite strain is chosen

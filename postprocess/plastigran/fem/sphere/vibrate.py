@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Impact of an elastic sphere on a rigid plane, and its vibration in flight.
 
-The time steps conserve energy to round-off. The numerical error therefore does not hide the
-vibration after an impact, whose energy is 1e-6 to 1e-2 of the impact energy.
+After an impact, the vibration has only 1e-6 to 1e-2 of the impact energy. The time steps conserve
+energy to round-off, so that numerical errors do not hide the vibration.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from plastigran.progress import ProgressBar
 STEPS_OF_TRANSIT = 40  # number of time steps while a compression wave crosses the sphere
 TRANSITS = 200.0  # default duration of the flight / time in which a wave crosses the sphere
 WIDEST = 0.5  # largest a/R of an elastic impact
-MODES = 12  # number of free vibrations computed
+MODES = 12  # number of computed vibration modes
 
 
 def vibrate(
@@ -45,10 +45,11 @@ def vibrate(
         material: Material without hardening law, which is elastic.
         radius: Radius of the sphere, m.
         speed: Impact speed, m/s.
-        transits: Duration of the flight divided by 2 R/c_l, the time in which a compression wave
-            crosses the sphere. Frequencies are resolved if they differ by 8 c_l/(2 R transits).
+        transits: Duration of the flight divided by 2 R/c_l. This is the time in which a compression
+            wave with the speed c_l crosses the sphere of radius R. Two frequencies are resolved
+            if they differ by at least 8 c_l/(2 R transits).
         settings: Settings of mesh and time steps.
-        progress: Whether to show a bar.
+        progress: Whether to show a progress bar.
 
     Raises:
         ValueError: The metal yields; the speed is not positive or too large for small strain;
@@ -61,7 +62,7 @@ def vibrate(
     if material.hardening is not None:
         raise ValueError("material has a hardening law, but only elastic spheres are supported")
     if settings.strain != "small":
-        raise ValueError(f"strain is {settings.strain!r}; vibrations need 'small' strain")
+        raise ValueError(f"strain is {settings.strain!r}; vibrations need strain='small'")
     if not 0 < transits < inf:
         raise ValueError(f"transits is {transits:g}; it must be positive and finite")
     check_speed(sphere, speed, WIDEST)
@@ -82,7 +83,7 @@ def vibrate(
 
 
 class _History:
-    """History of an impact: one row for the start and one for each step."""
+    """Recorder of the history of an impact: one row for the start and one for each time step."""
 
     def __init__(self, steps: Steps, radius: float) -> None:
         self.steps, self._before = steps, steps.now
@@ -95,7 +96,7 @@ class _History:
         self.record()
 
     def record(self) -> float:
-        """Append a row for the last step, and return the contact force of this step, N."""
+        """Append a row for the last time step to the history; return its contact force, N."""
         now, before = self.steps.now, self._before
         self._before = now
         rise = float(self._masses @ now.displacement) / self._mass
@@ -133,7 +134,7 @@ def _summary(
         "contact_displacement": np.abs(shapes[elastic.nearest((0.0, 0.0), vertical=True)]),
     }
     force, time = history["force"].to_numpy(), history["time"].to_numpy()
-    # Subtract half a step, because the force of a step belongs to the middle of the step.
+    # Subtract half a time step, because the recorded force is the force at the middle of the step.
     contact_time = end_of_contact(time, force, 2 / 3) - steps.timestep / 2
     flight = history.iloc[np.flatnonzero(force)[-1] + 1 :]
     kinetic = history["kinetic_energy"].iloc[0]

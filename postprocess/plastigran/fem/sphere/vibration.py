@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Results of the impact of an elastic sphere and of its vibration in flight.
 
-The strain energy of a free body is a sum over its vibrations, because they are orthogonal with
-respect to the stiffness. In the spectrum of the energy, each vibration therefore has only one peak,
-at twice its frequency.
+The strain energy of a free body is a sum over its vibration modes, because the modes are orthogonal
+with respect to the stiffness matrix. In the spectrum of the energy, each mode therefore has only
+one peak, at twice its frequency.
 """
 
 from __future__ import annotations
@@ -18,37 +18,38 @@ from plastigran.fem.material.elastic_plastic import ElasticPlastic
 from plastigran.fem.result_file import numbers
 from plastigran.fem.sphere.spectrum import peaks, spectrum
 
-LEAST_PEAK = 0.01  # smallest amplitude of a peak / largest amplitude
+LEAST_PEAK = 0.01  # smallest amplitude of a peak / largest amplitude of the spectrum
 SIGNALS = ("middle_elastic_energy", "top_displacement", "equator_displacement")
 
 
 @attrs.frozen
 class Vibration:
-    """Impact of an elastic sphere on a plane, and its vibration afterwards.
+    """Results of the impact of an elastic sphere on a plane, and of its vibration afterwards.
 
     Attributes:
         material: Material of the sphere.
         radius: Radius of the sphere, m.
         speed: Impact speed, m/s.
         timestep: Time step, s.
-        history: One row per step: time s, force N (mean over the step that ends at this time),
-            approach m (of the center of mass), velocity m/s (of the center of mass, upward),
-            contact_radius m, kinetic_energy, centre_kinetic_energy, elastic_energy, penalty_energy
-            and middle_elastic_energy J. The last is the elastic energy at the mean displacement of
-            the step; the mean filters vibrations that the steps do not resolve. Further columns are
+        history: Table with one row per time step: time s, force N (mean over the step that ends at
+            this time), approach m (of the center of mass), velocity m/s (of the center of mass,
+            upward), contact_radius m, kinetic_energy J, centre_kinetic_energy J (of the motion of
+            the center of mass), elastic_energy J, penalty_energy J and middle_elastic_energy J.
+            middle_elastic_energy is the elastic energy at the mean displacement of the step; this
+            mean filters vibrations that the steps do not resolve. Further columns are
             top_displacement m (upward, of the pole far from the plane) and equator_displacement m
             (outward), relative to the center of mass.
-        modes: One row for each of the lowest free vibrations of the mesh: frequency Hz, energy J at
-            the end, and contact_displacement kg^-1/2. The last is the normal displacement at the
-            contact point for unit modal mass.
+        modes: Table with one row for each of the lowest vibration modes of the mesh: frequency Hz,
+            energy J at the end, and contact_displacement kg^-1/2, which is the normal displacement
+            at the contact point for unit modal mass.
         coefficient_of_restitution: Momentum after the impact / momentum before the impact.
-        kinetic_restitution: Square root of the ratio of total kinetic energies: mean of the flight
-            / before the impact. It counts half of the vibration energy as rebound.
+        kinetic_restitution: Square root of the mean kinetic energy in flight / kinetic energy
+            before the impact. It counts half of the vibration energy as rebound.
         force_max: Largest force, N.
         overlap_max: Largest approach, m.
         contact_time: Duration of the contact, s.
         vibration_energy: Vibration energy / impact energy.
-        stopped: Reason of an early end; otherwise empty.
+        stopped: Reason for an early end of the computation; otherwise empty.
     """
 
     material: ElasticPlastic
@@ -67,27 +68,35 @@ class Vibration:
 
     @property
     def flight(self) -> pd.DataFrame:
-        """Rows of the history after the last row with a contact force."""
+        """Part of the history after the end of contact."""
         last = np.flatnonzero(self.history["force"])[-1]
         return self.history.iloc[last + 1 :]
 
     def spectrum(self, signal: str) -> tuple[np.ndarray, np.ndarray]:
-        """Return frequencies, Hz, and amplitudes of a column of the history in flight."""
+        """Return the amplitude spectrum of a column of the history, in flight.
+
+        Args:
+            signal: Name of the column.
+
+        Returns:
+            Frequencies, Hz, and amplitudes in the unit of the column.
+        """
         return spectrum(self.flight[signal].to_numpy(), self.timestep)
 
     def peaks(self, signal: str, least: float = LEAST_PEAK) -> pd.DataFrame:
-        """Return the vibration frequencies in a column of the history in flight.
+        """Return the frequencies of the vibrations that a column of the history shows in flight.
 
-        The midpoint rule changes a frequency f to f' with tan(pi f' dt) = pi f dt; the result is f.
-        Energies have twice the frequency of a vibration; the result is the frequency of the
-        vibration. Frequencies above the highest mode are omitted.
+        The midpoint rule with the time step dt changes a frequency f to f', where
+        tan(pi f' dt) = pi f dt. This function returns f. Energies have twice the frequency of their
+        vibration; this function returns the frequency of the vibration. Frequencies above those of
+        the computed vibration modes are omitted.
 
         Args:
-            signal: Column.
-            least: Smallest amplitude of a peak / largest amplitude.
+            signal: Name of the column.
+            least: Smallest amplitude of a peak / largest amplitude of the spectrum.
 
         Returns:
-            frequency, Hz, and amplitude in the unit of the column.
+            Table of frequency, Hz, and amplitude in the unit of the column.
         """
         frequencies, amplitudes = peaks(*self.spectrum(signal), least)
         if signal.endswith("energy"):
