@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Reference data for the contact laws, and errors of the laws compared with these data."""
+"""Reference data for the contact laws, and the errors of the laws relative to these data."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Errors of the laws by regime, to choose a law."""
+"""Errors of the laws in each contact regime, for the choice of a law."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from plastigran.calibration.expected_errors import KINDS
 from plastigran.validation.laws_on_spheres import FITTED_LAW, ON_FITTED_METALS
 from plastigran.validation.tables import root_mean_square
 
-#: Regimes of spheres by name: kind of contact, bounds of impact speed / yield speed.
+#: Regimes of spheres by name: kind of contact, smallest and largest impact speed / yield speed.
 SPHERE_REGIMES = {
     "just beyond yield, v/v_Y 1–10": (KINDS[0], 1, 10),
     "v/v_Y 10–100": (KINDS[0], 10, 100),
@@ -22,7 +22,7 @@ SPHERE_REGIMES = {
     "hardening, beyond v/v_Y 300": (KINDS[1], 300, np.inf),
     "large a/R, 0.05–0.15": (KINDS[2], 1, np.inf),
 }
-#: Regimes of the rebound hardness of steel by name: bounds of impact speed / yield speed.
+#: Regimes of rebound tests on steel by name: smallest and largest impact speed / yield speed.
 INDENTATION = {
     "a hard ball on a steel flat, v/v_Y 10–300": (10, 300),
     "peening: v/v_Y 1000 and more": (1000, np.inf),
@@ -34,10 +34,15 @@ WORDS = {"coefficient_of_restitution": "restitution", "force_max": "force"}
 def _errors(
     compared: pd.DataFrame, rebounds: Mapping[str, pd.DataFrame]
 ) -> dict[tuple[str, str], pd.DataFrame]:
-    """Return a table with the columns law and error for each regime and quantity.
+    """Return the errors of all laws for each regime and quantity.
 
-    `rebounds` contains tables of `steel.rebounds`. The name of each of their regimes ends with the
-    key of the table.
+    Args:
+        compared: Table of `laws_on_spheres.compare`.
+        rebounds: Tables of `steel.rebounds`. The key of a table is appended to the names of its
+            regimes.
+
+    Returns:
+        Tables with the columns law and error, by (regime, quantity).
     """
     errors = {}
     for regime, (contact, lowest, highest) in SPHERE_REGIMES.items():
@@ -57,11 +62,12 @@ def by_regime(compared: pd.DataFrame, rebounds: pd.DataFrame, rated: pd.DataFram
 
     Args:
         compared: Table of `laws_on_spheres.compare`.
-        rebounds, rated: Tables of `steel.rebounds` without and with the strain rate.
+        rebounds, rated: Tables of `steel.rebounds`, without and with strain-rate dependence of the
+            steel.
 
     Returns:
-        A row for each regime and quantity. The names of laws are followed by their root mean square
-        error and their largest error [%].
+        Table with a row for each regime and quantity. The name of a law is followed by its root
+        mean square error and its largest error [%].
     """
     rows = []
     for (regime, word), errors in _errors(compared, {"": rebounds, RATED: rated}).items():
@@ -76,8 +82,8 @@ def by_regime(compared: pd.DataFrame, rebounds: pd.DataFrame, rated: pd.DataFram
 def by_law(compared: pd.DataFrame, rebounds: pd.DataFrame, word: str) -> pd.DataFrame:
     """Return the root mean square error of a quantity [%], laws as rows and regimes as columns.
 
-    The law with the smallest mean error comes first. The row of the fitted law is followed by a row
-    with its errors for the metals of its fit, `ON_FITTED_METALS`.
+    The law with the smallest mean error comes first. The law `universal` has two rows: its errors
+    for metals outside its fit, and below, its errors for the metals of its fit.
 
     Args:
         compared, rebounds: As for `by_regime`.
@@ -94,12 +100,15 @@ def by_law(compared: pd.DataFrame, rebounds: pd.DataFrame, word: str) -> pd.Data
 
 
 def _sizes(errors: pd.DataFrame) -> pd.DataFrame:
-    """Return the errors of the laws [%], smallest first: index law, columns rms and max."""
+    """Return the root mean square and the largest error of each law [%], smallest first.
+
+    The index of the table is the law; the columns are rms and max.
+    """
     by_law = (100 * errors.set_index("law")["error"]).groupby("law")
     sizes = pd.DataFrame(
         {"rms": by_law.agg(root_mean_square), "max": by_law.agg(lambda e: e.abs().max())}
     )
-    # Laws that differ only by round-off are sorted by name.
+    # Laws whose errors differ only by round-off are sorted by name.
     return sizes.sort_values("rms", key=lambda rms: rms.round(6), kind="stable")
 
 
@@ -108,5 +117,5 @@ def _cell(row: pd.Series) -> str:
 
 
 def _two_digits(error: float) -> float:
-    """Return an error with two digits, or without decimals if it is at least ten."""
+    """Round an error to two digits; if it is at least ten, to a whole number."""
     return round(error) if error >= 10 else float(f"{error:.2g}")

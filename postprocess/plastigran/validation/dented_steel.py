@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Rebound hardness of steel by finite elements: the elastic ball of device D on a half space.
+"""Rebound hardness of steel by finite elements: the elastic ball of Leeb device D on a half space.
 
     python -m plastigran.validation.dented_steel
 
 This command computes the impacts that are not in the cache, and writes the table
 `plastigran/data/finite_elements_leeb.csv`. The steel is perfectly plastic, with the yield strength
-hardness/2.8. The computation assumes small strain, which is accurate up to a/R = 0.1, but some
-impacts exceed this value.
+hardness/2.8. The computation assumes small strain, which is accurate up to a contact radius of 0.1
+ball radii; some impacts exceed this value.
 """
 
 from __future__ import annotations
@@ -42,25 +42,27 @@ TABLE = "finite_elements_leeb.csv"
 #: Hardnesses of the table, HV. For softer steel, a/R exceeds 0.2, and the computation in small
 #: strain does not converge.
 HARDNESSES = (211, 304, 550, 940)
-#: Largest forces of the compressions, divided by the force of a rigid ball at constant pressure H.
-#: The results for the impact are interpolated between these compressions.
+#: Forces from which the ball is unloaded, divided by an estimate of the impact force. The estimate
+#: holds for a rigid ball and a constant pressure H. The results for the impact are interpolated
+#: between these unloadings.
 SHARES = (0.65, 0.85, 1.1)
-#: Settings of the finite elements. A finer mesh increases restitution by 0.4 % at 550 HV.
+#: Settings of the finite elements. At 550 HV, a finer mesh gives a restitution 0.4 % higher.
 SETTINGS = Settings(divisions=4, fineness=0.7, growth=1.08, unloading_steps=10)
 
 
 def table() -> pd.DataFrame:
-    """Read the table of computed impacts in the package.
+    """Read the table of computed impacts from the data files of the package.
 
     Returns:
-        Columns HV, HLD, speed_ratio, restitution, force_max [N], contact_radius_over_radius.
+        Table with the columns HV (Vickers hardness), HLD (Leeb hardness), speed_ratio (impact
+        speed / yield speed), restitution, force_max [N] and contact_radius_over_radius.
     """
     with (files("plastigran") / "data" / TABLE).open() as file:
         return pd.read_csv(file)
 
 
 def computation(hardness: float) -> Callable[[], Pressing]:
-    """Return a function that computes the ball on steel of a Vickers hardness [HV]."""
+    """Return a function that computes the compression of the ball on steel of a hardness [HV]."""
     tester, strength = TESTERS["D"], float(flow_stress(hardness))
     ball = ElasticPlastic(
         youngs_modulus=tester.ball.youngs_modulus, poissons_ratio=tester.ball.poissons_ratio
@@ -70,8 +72,8 @@ def computation(hardness: float) -> Callable[[], Pressing]:
         poissons_ratio=POISSONS_RATIO,
         hardening=LinearHardening(strength),
     )
-    # `guess` is the force at which the work F^2/(4 pi R H) of a rigid ball equals the impact
-    # energy. The force is F = pi a^2 H at the depth a^2/2R.
+    # `guess` is an estimate of the impact force, for a rigid ball and a constant pressure H: with
+    # the force F = pi a^2 H at the depth a^2/2R, the work F^2/(4 pi R H) equals the impact energy.
     pressure = float(indentation_pressure(hardness))
     guess = 2 * sqrt(pi * tester.ball_radius * pressure * _energy(tester))
     forces = tuple(share * guess for share in SHARES)
@@ -86,7 +88,7 @@ def row(hardness: float, pressing: Pressing) -> dict[str, float]:
         pressing: Compression of the ball on this steel.
 
     Returns:
-        Values by the columns of `table`.
+        Values of one row, by the column names of `table`.
     """
     tester, unloadings = TESTERS["D"], pressing.unloadings
     work = np.log(unloadings["work_loading"] / _energy(tester))
@@ -106,13 +108,13 @@ def row(hardness: float, pressing: Pressing) -> dict[str, float]:
 
 
 def comparison(law: str) -> pd.DataFrame:
-    """Compare restitutions by finite elements with measured values and with values at small a/R.
+    """Compare restitutions by finite elements with measured values, small a/R and a law.
 
     Args:
-        law: Name of a law to compare.
+        law: Name of the law.
 
     Returns:
-        A row for each hardness of `table`, with differences in per cent.
+        Table with a row for each hardness of `table`; the differences are in per cent.
     """
     impacts = table()
     measured, computed = impacts["HLD"] / 1000, impacts["restitution"]
@@ -134,11 +136,14 @@ def comparison(law: str) -> pd.DataFrame:
 
 
 def small_radius_restitution(ratios: np.ndarray) -> np.ndarray:
-    """Return the restitution of perfectly plastic spheres at small a/R for given v/v_Y.
+    """Return the restitution of perfectly plastic spheres at small a/R.
 
-    The values are interpolated in the table of spheres, for the metal with the lowest sigma_Y/E*.
-    Its a/R is below 0.025. Beyond the highest speed of this metal, a power law is extrapolated from
-    its fastest impacts.
+    Args:
+        ratios: Impact speeds / yield speed.
+
+    The values are interpolated in the finite-element table of spheres, for the metal with the
+    lowest sigma_Y/E*. Its a/R is below 0.025. Beyond the highest speed of this metal, a power law
+    is extrapolated from its fastest impacts.
     """
     rows = spheres()
     rows = rows[contact_kinds(rows) == KINDS[0]].sort_values("speed_ratio")

@@ -13,7 +13,7 @@ from plastigran.calibration.expected_errors import KINDS
 from plastigran.plot.style import COLOURS, MARKERS, law_colour, styled, subplots, title
 from plastigran.validation import oblique
 
-#: Number of columns of panels.
+#: Number of panels beside each other in a figure.
 COLUMNS = 5
 #: Largest error that a panel shows [%]. Larger errors are drawn at the edge of the panel.
 REACH = 40
@@ -23,7 +23,7 @@ FINE_ANGLES = np.linspace(1, 86, 52)
 
 @styled({"font.size": 8})
 def spheres_figure(compared: pd.DataFrame, quantity: str) -> Figure:
-    """Draw the error versus v/v_Y, a panel for each law.
+    """Draw the error of each law versus impact speed / yield speed, in one panel per law.
 
     Args:
         compared: Table of `laws_on_spheres.compare`.
@@ -78,7 +78,7 @@ def rebound_figure(rebounds: pd.DataFrame) -> Figure:
 
 @styled()
 def budget_figure(parts: pd.DataFrame, law: str, mean: float) -> Figure:
-    """Draw how possible causes change the restitution of a law for the rebound of steel.
+    """Draw how much each uncertainty changes the restitution that a law predicts for steel.
 
     Args:
         parts: Table of `offset.budget`.
@@ -102,7 +102,7 @@ def budget_figure(parts: pd.DataFrame, law: str, mean: float) -> Figure:
 
 @styled()
 def errors_figure(table: pd.DataFrame, head: str) -> Figure:
-    """Draw the errors of the laws as points, a row for each law.
+    """Draw the errors of the laws as points, with one line of the figure for each law.
 
     Args:
         table: Column law, and columns of errors whose names end in "(%)".

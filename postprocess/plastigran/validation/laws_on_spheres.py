@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Errors of every law compared with finite elements of spheres, by kind of contact and speed."""
+"""Errors of every law relative to finite elements of spheres, by kind of contact and speed."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from plastigran.validation.tables import root_mean_square
 
 #: Bounds of the speed regimes, impact speed / yield speed.
 REGIMES = (*SPEED_RATIOS, 1000)
-#: Law that was fitted to some of the metals, and the name of its rows for these metals.
+#: Law that was fitted to some of the metals, and the name of its table rows for these metals.
 FITTED_LAW, ON_FITTED_METALS = "universal", "universal, metals of its fit"
 MASS = 1.0  # mass of a sphere [kg]; ratios do not depend on it
 #: Compared quantities, by column of the table of errors.
@@ -24,17 +24,18 @@ QUANTITIES = ("coefficient_of_restitution", "force_max")
 
 
 def yielding_laws() -> list[str]:
-    """Return the names of the laws for spheres that yield."""
+    """Return the names of the elasto-plastic laws for spheres."""
     return [name for name in laws_for("sphere") if laws.LAWS[name].yields]
 
 
 def compare() -> pd.DataFrame:
-    """Compare every yielding law with the table of spheres, for impacts beyond yield.
+    """Compare the elasto-plastic laws with finite elements of spheres, for impacts beyond yield.
 
     Returns:
-        A row for each law and each row of the table: law, metal, set, kind, speed_ratio and
-        `QUANTITIES`, given as law / finite elements - 1 [-]. The rows of `FITTED_LAW` for metals of
-        its fit have the law name `ON_FITTED_METALS`.
+        Table with a row for each law and each impact of `validation.spheres.table`: law, metal,
+        set, kind, speed_ratio and `QUANTITIES`. Each quantity is the relative error of the law,
+        law / finite elements - 1. The rows of the law `universal` for metals of its fit have the
+        law name `ON_FITTED_METALS`.
     """
     rows = table()
     rows = rows[rows["speed_ratio"] > 1].assign(kind=contact_kinds)
@@ -58,7 +59,7 @@ def compare() -> pd.DataFrame:
 
 
 def without_fitted_metals(compared: pd.DataFrame) -> pd.DataFrame:
-    """Return a comparison without the rows of the fitted law for the metals of its fit."""
+    """Return a table of `compare` without the rows of `universal` for the metals of its fit."""
     return compared[compared["law"] != ON_FITTED_METALS]
 
 
@@ -69,9 +70,9 @@ def errors(compared: pd.DataFrame) -> pd.DataFrame:
         compared: Table of `compare`.
 
     Returns:
-        Columns law, kind, speed_ratio_from and speed_ratio_to (the regime), quantity (one of
-        `QUANTITIES`), rms and max (relative errors [-]), and cases (number of impacts). A regime
-        without impacts has no row.
+        Table with the columns law, kind, speed_ratio_from and speed_ratio_to (the speed regime),
+        quantity (one of `QUANTITIES`), rms and max (relative errors), and cases (number of
+        impacts). A regime without impacts has no row.
     """
     compared = compared.assign(
         regime=pd.cut(compared["speed_ratio"], REGIMES, labels=False),

@@ -41,7 +41,7 @@ THEORIES: dict[str, Callable[[ObliqueImpact], Motion]] = {
 
 @cache
 def measured() -> pd.DataFrame:
-    """Return the measurements: columns incident_angle [degrees], quantity, value."""
+    """Return the table of measurements: columns incident_angle [degrees], quantity, value."""
     with (files("plastigran") / "data" / "oblique_kharaz_2001.csv").open() as file:
         return pd.read_csv(file, comment="#")
 
@@ -55,27 +55,34 @@ def case(angle: float) -> BenchmarkImpact:
 
 
 def impact(angle: float) -> ObliqueImpact:
-    """Return the impact on glass at an angle from the normal [degrees]."""
+    """Return the impact of an alumina sphere on glass at an angle from the normal [degrees]."""
     on_rigid_plane = case(angle)
     pair = laws.combine(on_rigid_plane.sphere.body(), GLASS)
     return attrs.evolve(on_rigid_plane.impact(), pair=pair)
 
 
 def quantity(name: str, before: ObliqueImpact, after: Motion) -> float:
-    """Return one of `QUANTITIES` of an impact."""
+    """Return one of `QUANTITIES` of an impact.
+
+    Args:
+        name: Name of the quantity.
+        before: Impact, with the velocities before it.
+        after: Velocities after the impact.
+    """
     if name == "restitution":
         return after.along / before.before.along
     return -after.spin if name == "spin" else degrees(atan2(after.along, after.normal))
 
 
 def computed(engine: Iterable[float] | None = None) -> pd.DataFrame:
-    """Return the measurements with computed values.
+    """Compute all measured impacts by theory and by LIGGGHTS.
 
     Args:
-        engine: Incident angles [degrees] for LIGGGHTS; None for all.
+        engine: Incident angles [degrees] to compute in LIGGGHTS; None for all.
 
     Returns:
-        Table of `measured` with a column for each method. Angles without a LIGGGHTS run have NaN.
+        Table of `measured` with one more column for each method. At angles that LIGGGHTS did not
+        compute, its columns contain NaN.
 
     Raises:
         EngineError: LIGGGHTS stopped with an error.
@@ -99,8 +106,8 @@ def computed(engine: Iterable[float] | None = None) -> pd.DataFrame:
 def comparison(table: pd.DataFrame, name: str) -> pd.DataFrame:
     """Return measured and computed values of one of `QUANTITIES` for each incident angle.
 
-    The table also has the difference between measurement and partial slip, in the unit of the
-    quantity and as tangential restitution.
+    The table also contains the difference between the measurement and the theory of partial slip,
+    in the unit of the quantity and converted to tangential restitution.
 
     Args:
         table: Table of `computed`.
@@ -117,17 +124,19 @@ def comparison(table: pd.DataFrame, name: str) -> pd.DataFrame:
 
 
 def _as_restitution(part: pd.DataFrame, name: str) -> pd.Series:
-    """Return the difference between measurement and partial slip as tangential restitution.
+    """Convert the difference between measurement and partial slip to tangential restitution.
 
-    The angular momentum about the contact point is constant: 2/5 R w = v_t - v_t'. The tangent of
-    the rebound angle is v_t' / normal speed.
+    The conversion uses the tangential velocities v_t before and v_t' after the impact. The angular
+    momentum about the contact point is constant, so that 2/5 R w = v_t - v_t', with the radius R
+    and the spin w after the impact. The tangent of the rebound angle is v_t' / normal speed.
     """
     angles = part["incident_angle"]
     if name == "spin":
         arms = [0.4 * impact(a).radius / impact(a).before.along for a in angles]
         return -(part["value"] - part[PARTIAL_SLIP]) * arms
     measured, slip = (np.tan(np.radians(part[column])) for column in ("value", PARTIAL_SLIP))
-    # At incident angles up to 1 degree, the rebound angle does not determine the restitution.
+    # At incident angles up to 1 degree, the rebound angle does not determine the tangential
+    # restitution.
     ratios = [impact(a).restitution() / np.tan(radians(a)) if a > 1 else np.nan for a in angles]
     return (measured - slip) * ratios
 

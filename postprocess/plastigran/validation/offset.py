@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Possible causes of the mean error of a law for the rebound hardness of steel."""
+"""Possible causes of the mean error of a law in rebound hardness tests on steel."""
 
 from __future__ import annotations
 
@@ -19,22 +19,23 @@ from plastigran.validation.tables import root_mean_square
 
 #: Rate coefficient of steel 4340 by Johnson & Cook, and its reference rate [1/s].
 RATE = {"rate_coefficient": STEEL_RATE_COEFFICIENT, "reference_rate": 1.0}
-# The next constants are further uncertainties of the testers and of steel.
+# The next constants are further uncertainties of the hardness testers and of steel.
 # Mass [kg] and speed [m/s] of device D in makers' tables. ISO 16859 states 5.45 g and 2.05 m/s.
 MASS, SPEED = 5.5e-3, 2.00
 BALL_MODULI = (600e9, 650e9)
 CONSTRAINT_FACTORS = (2.6, 3.0)
-CONVERSION_SCATTER = 0.1  # relative scatter of the HV that is converted from HL
+CONVERSION_SCATTER = 0.1  # relative scatter of Vickers hardness converted from Leeb hardness
 SENSOR_HEIGHT = 1e-3
 
 
 def budget(law: str) -> pd.DataFrame:
-    """Return the change of a law's restitution [%] for each uncertainty.
+    """Return how much each uncertainty of the tester and the steel changes a law's restitution.
 
     Returns:
-        A row for each uncertainty. The columns are the source, the changed value, the mean change
-        of restitution for the hardnesses of `leeb_table`, and the change at the smallest and
-        largest hardness. The source "large a/R" uses the hardnesses of `dented_steel.table`.
+        Table with a row for each uncertainty. The columns are the source of the uncertainty, the
+        changed value, the mean change of restitution [%] for the hardnesses of `leeb_table`, and
+        the change at the smallest and largest hardness [%]. The source "large a/R" uses the
+        hardnesses of `dented_steel.table`.
     """
     usual = rebound(law)
     rows = []
@@ -49,7 +50,7 @@ def budget(law: str) -> pd.DataFrame:
 
 
 def _changes() -> Iterator[tuple[str, str, dict[str, object]]]:
-    """Yield source and changed value of each uncertainty, and the arguments for `rebound`."""
+    """Yield the source, the changed value and the arguments for `rebound` of each uncertainty."""
     device, ball = TESTERS["D"], TUNGSTEN_CARBIDE
     yield "strain rate", f"none → C = {RATE['rate_coefficient']:g}", RATE
     for factor in CONSTRAINT_FACTORS:
@@ -75,7 +76,7 @@ def _changes() -> Iterator[tuple[str, str, dict[str, object]]]:
 
 
 def with_rate(rebounds: pd.DataFrame, rated: pd.DataFrame) -> pd.DataFrame:
-    """Return the mean and rms error of every law [%], without and with rate dependence of steel.
+    """Return the mean and rms error of every law [%], without and with strain-rate dependence.
 
     Args:
         rebounds: Table of `steel.rebounds` without `RATE`.

@@ -18,9 +18,9 @@ QUANTITIES = {"force_max": "force", "coefficient_of_restitution": "restitution"}
 
 
 def compare() -> pd.DataFrame:
-    """Return the error of every law [%] in peak force and restitution at the paper's speeds.
+    """Return the error of every law [%] in largest force and restitution at the paper's speeds.
 
-    The law with the smallest sum of errors comes first.
+    The law with the smallest sum of absolute errors comes first.
     """
     material = read_material("aluminium_zv02")
     pair = laws.combine(material.body(), RIGID)

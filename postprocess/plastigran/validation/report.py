@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Validation of every law: its tables, figures and pages."""
+"""Validation of every law: the tables, figures and pages of the docs that it produces."""
 
 from __future__ import annotations
 
@@ -19,14 +19,18 @@ from plastigran.validation import (
     steel,
 )
 
-#: Incident angles of LIGGGHTS runs with `coarse` [degrees], one for each quantity.
+#: Incident angles [degrees] of the few LIGGGHTS runs with `coarse`, one for each quantity.
 FEW_ANGLES = (20.01, 21.25, 20.57)
-#: File with the errors by law and regime, which other subpackages read.
+#: File with the errors of each law in each regime, which other subpackages read.
 ERRORS = Path(plastigran.__file__).parent / "data" / "errors.csv"
 
 
 def compute(progress: bool, coarse: bool) -> Findings:
-    """Compute every table and figure. With `coarse`, LIGGGHTS runs only at `FEW_ANGLES`."""
+    """Compute all tables and figures of the validation.
+
+    With `coarse`, LIGGGHTS computes the oblique impacts only at `FEW_ANGLES`. `progress` has no
+    effect.
+    """
     compared = laws_on_spheres.compare()
     unfitted = laws_on_spheres.without_fitted_metals(compared)
     rebounds, rated = steel.rebounds(), steel.rebounds(**offset.RATE)

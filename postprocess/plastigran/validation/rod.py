@@ -25,15 +25,15 @@ TANGENTIAL_MODELS = ("no_history", "history", *laws.TANGENTIAL_LAWS)
 
 
 def impacts(names: Iterable[str] | None = None, tangential: str = "no_history") -> pd.DataFrame:
-    """Return the restitution of the tip for each law.
+    """Return the restitution at the tip of the rod that each law predicts.
 
     Args:
-        names: Names of laws; None for all laws with yield.
+        names: Names of laws; None for all elasto-plastic laws.
         tangential: Tangential model. By default, friction has no spring, as in the paper.
 
     Returns:
-        Columns law, angle [degrees], speed [m/s], restitution, angular_velocity [rad/s], and
-        measured: the restitution of the experiments, about the same at all speeds.
+        Table with the columns law, angle [degrees], speed [m/s], restitution, angular_velocity
+        [rad/s], and measured: the restitution of the experiments, about the same at all speeds.
     """
     rows = []
     for name in yielding_laws() if names is None else names:
@@ -57,7 +57,8 @@ def summary(impacts: pd.DataFrame) -> pd.DataFrame:
     """Return the errors of each law [%].
 
     The four errors are: restitution at each of the two angles, and restitution and angular velocity
-    of the run whose velocities the paper prints. The law with the smallest sum comes first.
+    of the one impact whose velocities the paper prints. The law with the smallest sum of absolute
+    errors comes first.
 
     Args:
         impacts: Table of `impacts`.
@@ -82,7 +83,7 @@ def summary(impacts: pd.DataFrame) -> pd.DataFrame:
 
 
 def tangential_models(law: str = "universal") -> pd.DataFrame:
-    """Return the errors of `summary` for each of `TANGENTIAL_MODELS` with one law."""
+    """Return the errors of one law with each of `TANGENTIAL_MODELS`, as in `summary`."""
     rows = [
         summary(impacts([law], model)).assign(law=model).rename(columns={"law": "tangential model"})
         for model in TANGENTIAL_MODELS

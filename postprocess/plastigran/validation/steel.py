@@ -21,14 +21,14 @@ from plastigran.validation.tables import nearest_first, root_mean_square
 
 #: Elastic constants of steel.
 YOUNGS_MODULUS, POISSONS_RATIO = 206e9, 0.3
-#: Range of HLD in which the uncertainty of the restitution is 5 %. For softer steel, the
-#: uncertainty is 8 to 10 %.
+#: Range of the Leeb hardness HLD in which the uncertainty of the restitution is 5 %. For softer
+#: steel, the uncertainty is 8 to 10 %.
 TRUSTED = (450, 890)
-#: Single measurements with other devices: device, HL, HV. The second sample has 70 HRC, which the
-#: table of ASTM E140 does not contain. The hardness of this sample is taken as 1015 to 1080 HV,
-#: which gives an uncertainty of 2.5 % in restitution.
+#: Single measurements with other devices: device, Leeb hardness HL, Vickers hardness HV. The sample
+#: of device C has 70 HRC, which the table of ASTM E140 does not contain. Its hardness is taken as
+#: 1015 to 1080 HV, which gives an uncertainty of 2.5 % in restitution.
 SINGLE_READINGS = (("G", 750, 675.0), ("C", 960, 1050.0))
-#: Approximate crater diameters [m] of device D by Vickers hardness.
+#: Approximate diameters [m] of the craters that device D leaves, by Vickers hardness.
 CRATERS = {300.0: 0.54e-3, 800.0: 0.35e-3}
 #: Alumina spheres of 3 mm diameter on flats at 10 m/s: restitution by HV, from the abstract of a
 #: paper.
@@ -38,12 +38,12 @@ ALUMINA_RESTITUTION = {300.0: 0.63, 700.0: 0.86}
 
 
 def steel(strength: float, **others: float) -> laws.Body:
-    """Return steel of a yield strength [Pa], with further constants of `laws.Body`."""
+    """Return the steel with a yield strength [Pa]; `others` are further fields of `laws.Body`."""
     return laws.Body(YOUNGS_MODULUS, POISSONS_RATIO, strength, **others)
 
 
 def speed_ratio(tester: ReboundTester, strength: float) -> float:
-    """Return impact speed / yield speed of a tester on steel of a yield strength [Pa]."""
+    """Return the impact speed / yield speed of a tester on steel with a yield strength [Pa]."""
     pair = tester.pair(steel(strength))
     return tester.speed / yield_speed(pair, tester.ball_radius, tester.mass)
 
@@ -54,13 +54,13 @@ def rebound(
     strength_factor: float = 1.0,
     **steel_constants: float,
 ) -> np.ndarray:
-    """Return the restitution [-] of a law for each hardness of `leeb_table`, (59,).
+    """Return the restitution that a law predicts for each hardness of `leeb_table` (59,).
 
     Args:
         law: Name of the law.
-        tester: Impact body.
-        strength_factor: Factor by which the yield strength is multiplied.
-        steel_constants: Further constants of the steel.
+        tester: Rebound hardness tester.
+        strength_factor: Factor on the yield strength of the steel.
+        steel_constants: Further constants of the steel; see `steel`.
     """
     strengths = strength_factor * flow_stress(leeb_table()["HV"])
     samples = [steel(strength, **steel_constants) for strength in strengths]
@@ -68,13 +68,14 @@ def rebound(
 
 
 def rebounds(**steel_constants: float) -> pd.DataFrame:
-    """Compare every law with the steel of `leeb_table`.
+    """Compare the restitution of every law with the measured values of `leeb_table` for steel.
 
     Args:
-        steel_constants: As for `rebound`.
+        steel_constants: Further constants of the steel; see `steel`.
 
     Returns:
-        Columns HV, HLD, speed_ratio, law, restitution and error (law / table - 1).
+        Table with the columns HV (Vickers hardness), HLD (Leeb hardness), speed_ratio (impact
+        speed / yield speed), law, restitution and error (law / measured value - 1).
     """
     table = leeb_table()
     ratios = [speed_ratio(TESTERS["D"], strength) for strength in flow_stress(table["HV"])]
@@ -87,7 +88,7 @@ def rebounds(**steel_constants: float) -> pd.DataFrame:
 
 
 def summary(rebounds: pd.DataFrame) -> pd.DataFrame:
-    """Return the errors of each law [%], the law with the smallest rms first.
+    """Return the errors of each law in restitution [%]; the law with the smallest rms comes first.
 
     Args:
         rebounds: Table of `rebounds`.
@@ -111,10 +112,11 @@ def summary(rebounds: pd.DataFrame) -> pd.DataFrame:
 
 
 def single_impacts() -> pd.DataFrame:
-    """Return the errors of restitution [%] of every law for the other devices and for alumina.
+    """Return the errors of every law in the restitution [%] of single impacts.
 
-    The head of a column contains the measured restitution. The law with the smallest sum of errors
-    comes first.
+    The impacts are those of `SINGLE_READINGS` and of `ALUMINA`. The head of a column names the
+    impact and the measured restitution. The law with the smallest sum of absolute errors comes
+    first.
     """
     cases = [
         (f"Leeb {name}, {hardness:g} HV", reading / 1000, TESTERS[name], hardness)
@@ -137,7 +139,7 @@ def single_impacts() -> pd.DataFrame:
 
 
 def craters() -> pd.DataFrame:
-    """Return the largest contact diameter [mm] of every law under device D.
+    """Return the largest contact diameter [mm] that every law predicts for device D.
 
     The head of a column contains the measured diameter of the crater.
     """
@@ -150,7 +152,7 @@ def craters() -> pd.DataFrame:
 
 
 def contact_radius(law: str, strength: float) -> float:
-    """Return the largest contact radius [m] of device D on steel of a yield strength [Pa]."""
+    """Return the largest contact radius [m] of device D on steel with a yield strength [Pa]."""
     tester, sample = TESTERS["D"], steel(strength)
     overlap = tester.impact(law, sample).overlap_max
     contact_law = laws.LAWS[law](tester.pair(sample), **dented_flat(law))

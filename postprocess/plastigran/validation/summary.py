@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""One-line summary of the errors of a law, at the top of its page in docs/laws."""
+"""Summary of the errors of a law in one line, at the top of the law's page in docs/laws."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ LINE = re.compile(r"^\| \*\*How far off\*\* \| .* \|$", re.MULTILINE)
 
 
 def how_far_off(law: str, table: pd.DataFrame) -> str:
-    """Return the errors of a law for perfectly plastic spheres, by speed regime.
+    """Return the errors of a law for perfectly plastic spheres in words, by speed regime.
 
     Args:
-        law: Name in the table of errors.
+        law: Name of the law.
         table: Table of `plastigran.calibration.expected_errors.errors_table`.
 
     Returns:
-        Root mean square errors of restitution and largest force [%].
+        Text with the root mean square errors of restitution and largest force [%].
     """
     rows = table[(table["law"] == law) & (table["kind"] == KINDS[0])]
     parts = []
@@ -47,18 +47,26 @@ def how_far_off(law: str, table: pd.DataFrame) -> str:
 
 
 def summarised(page: str, law: str, table: pd.DataFrame) -> str:
-    """Return the text of a law's page with the summary computed from the table of errors.
+    """Return the page of a law with a new summary of its errors.
+
+    Args:
+        page: Text of the page.
+        law: Name of the law.
+        table: As for `how_far_off`.
 
     Raises:
         ValueError: The page lacks the line `| **How far off** | ... |`.
     """
     if not LINE.search(page):
-        raise ValueError(f"the page of {law} has no line | **How far off** | ... |")
+        raise ValueError(
+            f"the page of {law} has no line `| **How far off** | ... |`. Add this line to the "
+            "table at the top of the page"
+        )
     return LINE.sub(lambda _: f"| **How far off** | {how_far_off(law, table)} |", page, count=1)
 
 
 def write_summaries(folder: Path, table: pd.DataFrame) -> list[Path]:
-    """Write the summary into the page of every law of the table of errors; return the pages.
+    """Write the summary of a law's errors into the page of every law; return the pages.
 
     Args:
         folder: Folder of the law pages.

@@ -13,10 +13,10 @@ def root_mean_square(values: pd.Series | np.ndarray) -> float:
 
 
 def nearest_first(rows: list[dict[str, object]]) -> pd.DataFrame:
-    """Return a table of errors sorted by the sum of their absolute values.
+    """Return a table of the errors of laws, sorted by the sum of the absolute errors of each law.
 
     Args:
-        rows: Rows with `law` and errors under further names.
+        rows: One row for each law, with the key `law`; all other keys are errors.
     """
     table = pd.DataFrame(rows)
     order = table.drop(columns="law").abs().sum(axis="columns").sort_values().index

@@ -1,19 +1,20 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Energy-conserving time steps of an elastic body on a rigid plane.
 
-The steps follow the implicit midpoint rule, with displacement u, velocity v, gap g and the force f
-of the plane at the start (0) and end (1) of a step:
+The steps follow the implicit midpoint rule. With the displacements u, velocities v and gaps g at
+the start (0) and the end (1) of a step of length dt, the equations are
 
-    u1 - u0 = dt (v0 + v1)/2,    M (v1 - v0)/dt + K (u0 + u1)/2 = f(g0, g1).
+    u1 - u0 = dt (v0 + v1)/2,    M (v1 - v0)/dt + K (u0 + u1)/2 = f(g0, g1),
 
-Each Gauss point has a penalty spring of stiffness k, N/m. Its energy is V(g) = k <-g>^2/2, where
-<x> is max(x, 0). The force at this point is
--(V(g1) - V(g0))/(g1 - g0), the discrete gradient of Gonzalez (2000, Comput. Methods Appl. Mech.
-Engrg. 190:1763). The sum of kinetic, elastic and penalty energy is therefore constant for any time
-step. Momentum changes by dt times the sum of f.
+with the mass matrix M, the stiffness matrix K and the contact forces f of the plane.
 
-The body is linear, so one matrix 2 M/dt^2 + K/2 is factored once. Newton's method uses only the
-degrees of freedom of the surface that may touch, with their dense compliance.
+Each Gauss point has a penalty spring of stiffness k, N/m, with the energy V(g) = k max(-g, 0)^2/2.
+The force at this point is -(V(g1) - V(g0))/(g1 - g0), the discrete gradient of Gonzalez (2000,
+Comput. Methods Appl. Mech. Engrg. 190:1763). The sum of kinetic, elastic and penalty energy is
+therefore constant for any time step. Momentum changes by dt times the sum of f.
+
+The body is linear, so that the matrix 2 M/dt^2 + K/2 is factored only once. Newton's method solves
+only for the surface degrees of freedom that may touch the plane, with their compliance matrix.
 """
 
 from __future__ import annotations
@@ -32,12 +33,12 @@ TOLERANCE = 1e-13  # tolerance relative to the surface displacements, at the lev
 
 
 class SpringPlane(RigidPlane):
-    """Rigid plane as one spring at each Gauss point of the surface.
+    """Rigid plane that acts on a body by one spring at each Gauss point of its surface.
 
     Attributes:
-        surface: Vertical degrees of freedom of the body that may touch (n_surface,).
-        shapes: Matrix from displacements of the surface to those of the Gauss points (n_points,
-            n_surface).
+        surface: Vertical degrees of freedom of the body that may touch the plane (n_surface,).
+        shapes: Matrix from displacements of these degrees of freedom to displacements of the Gauss
+            points (n_points, n_surface).
     """
 
     def __init__(self, body: Body, radius: float, reach: float, penalty: float = PENALTY) -> None:
@@ -63,7 +64,7 @@ class SpringPlane(RigidPlane):
         """Return the mean contact forces of a step, and their slopes.
 
         The force at a Gauss point is the discrete gradient of its spring energy,
-        k (p0 + p1)/2 |p1 - p0|/|g1 - g0|, with p = <-g> and the spring stiffness k.
+        k (p0 + p1)/2 |p1 - p0|/|g1 - g0|, with p = max(-g, 0) and the spring stiffness k.
 
         Args:
             start, end: Gaps g0 and g1 at the start and the end of the step (n_points,), m.
@@ -121,7 +122,7 @@ class Steps:
     def __init__(
         self, elastic: ElasticBody, plane: SpringPlane, velocity: np.ndarray, timestep: float
     ) -> None:
-        """Start from an undeformed body with velocities (size,), m/s; `timestep` is in s."""
+        """Start from an undeformed body with nodal velocities (size,), m/s; `timestep` is in s."""
         self.elastic, self.plane, self.timestep = elastic, plane, timestep
         self._factor = splu(
             (2 / timestep**2 * elastic.mass_matrix + elastic.stiffness / 2).tocsc(),
@@ -151,7 +152,7 @@ class Steps:
         )
 
     def advance(self) -> None:
-        """Compute the motion after the next step.
+        """Compute the motion at the end of the next time step.
 
         Raises:
             NoConvergence: Newton's method failed.
@@ -171,9 +172,11 @@ class Steps:
         )
 
     def _touch(self, start: np.ndarray, free: np.ndarray) -> tuple[np.ndarray, float]:
-        """Return the nodal forces of the plane over the step, and their sum.
+        """Return the mean nodal forces of the plane during the step, N, and their sum.
 
-        `free` is the motion of the surface without the plane.
+        Args:
+            start: Displacements of the surface at the start of the step (n_surface,), m.
+            free: Change of these displacements in the step without contact (n_surface,), m.
         """
         plane, compliance = self.plane, self._compliance
         change = self._last

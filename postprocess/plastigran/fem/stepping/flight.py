@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Time steps of a body in contact, by the trapezoidal rule, and the course of an impact.
+"""Time steps of a body in contact, by the trapezoidal rule, from first touch to separation.
 
-The Newton iteration of a step starts from a linear extrapolation of the last step. If the iteration
-started from u + dt v, points could yield that do not yield in the solution.
+Newton's method starts each step from a linear extrapolation of the last step. If it started from
+u + dt v, with the displacements u and velocities v, points could yield that do not yield in the
+solution.
 """
 
 from __future__ import annotations
@@ -16,7 +17,7 @@ import numpy as np
 from plastigran.fem.stepping.increment import Equations, Equilibrium, Inertia, NoConvergence
 from plastigran.progress import ProgressBar
 
-FIRST_STEP = 1 / 16  # first time step / full time step, because the contact is stiff at first touch
+FIRST_STEP = 1 / 16  # first time step / full time step; short, because the contact starts stiffly
 STEP_GROWTH = 1.5
 CUTS = 6  # largest number of halvings of a step
 
@@ -48,14 +49,14 @@ class Flight:
     """
 
     def __init__(self, equations: Equations, velocity: np.ndarray, timestep: float) -> None:
-        """Set the initial motion: body at first touch, with velocities (size,), m/s."""
+        """Start at first touch with nodal velocities (size,), m/s; `timestep` is in s."""
         self.equations, self.timestep = equations, timestep
         self.now = Motion(0.0, equations.at_rest(), velocity, np.zeros(velocity.size))
         self._step = FIRST_STEP * timestep
         self._last_change, self._last_step = np.zeros(velocity.size), inf
 
     def advance(self) -> None:
-        """Compute the next step; halve it if it does not converge.
+        """Compute the next time step; halve the step if it does not converge.
 
         Raises:
             NoConvergence: The step does not converge after CUTS halvings.
@@ -91,7 +92,9 @@ def follow(
     free_steps: int = 0,
     free_time: float = 0.0,
 ) -> str:
-    """Advance an impact until the body has been free of contact for some steps and some time.
+    """Compute the time steps of an impact until the body has separated from the other body.
+
+    The impact ends when the contact force has been zero for `free_steps` steps and `free_time`.
 
     Args:
         steps: `Flight`, or another object with `advance()` and `now.time`.
@@ -99,11 +102,11 @@ def follow(
         bar: Bar that shows the progress in per cent.
         duration: Expected duration of the contact, s.
         longest: Contact duration after which the computation stops, in multiples of `duration`.
-        free_steps: Number of steps without contact.
-        free_time: Time without contact, s.
+        free_steps: Number of steps without contact at the end.
+        free_time: Time without contact at the end, s.
 
     Returns:
-        Reason of an early end; otherwise empty.
+        Reason for an early end; otherwise empty.
 
     Raises:
         NoConvergence: The first step does not converge.
@@ -127,10 +130,10 @@ def follow(
 
 
 def end_of_contact(time: np.ndarray, force: np.ndarray, power: float) -> float:
-    """Return the time at which the force reaches zero, s.
+    """Return the time at which the contact force reaches zero, s.
 
-    The given power of the force is extrapolated linearly from the last two steps in contact, at
-    most to the next step.
+    The last two steps in contact are extrapolated, with (force)^`power` linear in time. The result
+    is at most the time of the next step.
     """
     last = np.flatnonzero(force > 0)[-1]
     next_time = float(time[min(last + 1, time.size - 1)])

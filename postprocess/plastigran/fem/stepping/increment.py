@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""One increment of a body in contact: Newton's method with the consistent tangent."""
+"""One load increment or time step of a body in contact, solved by Newton's method."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ from plastigran.fem.material.stretch import InvertedError
 from plastigran.fem.stepping.linear import SingularError, SymmetricSystem
 
 ITERATIONS = 16
-# Largest residual / largest nodal force: contact force in `press`, any force in `move`.
+# Largest residual / largest nodal force. In `press`, only contact forces count; in `move`, all.
 TOLERANCE = 1e-5
 FORCE_TOLERANCE = 1e-8  # largest error of the contact force / prescribed force
 
 
 class NoConvergence(ArithmeticError):
-    """Newton's method did not find the equilibrium of an increment."""
+    """Newton's method did not find the equilibrium of a load increment or time step."""
 
 
 @attrs.frozen
@@ -45,10 +45,13 @@ class Equilibrium:
 
 @attrs.frozen
 class Inertia:
-    """Step of the trapezoidal rule: accelerations are 4/dt^2 (u - predicted).
+    """Inertia in a time step dt of the trapezoidal rule.
+
+    The accelerations at the end of the step are 4/dt^2 (u - predicted), with the displacements u.
 
     Attributes:
-        predicted: u + dt v + dt^2 a/4 with the values at the start of the step (size,), m.
+        predicted: u + dt v + dt^2 a/4 (size,), m, with the displacements u, velocities v and
+            accelerations a at the start of the step.
         timestep: dt, s.
     """
 
@@ -58,14 +61,14 @@ class Inertia:
 
 @attrs.frozen
 class Balance:
-    """Forces at one displacement during Newton's method.
+    """Forces on a body at the displacements of one Newton iteration.
 
     Attributes:
         response: Material response.
         touch: Contact state.
-        residual: Internal - contact + inertial nodal forces (size,), N; 0 at fixed degrees of
-            freedom.
-        scale: Largest nodal force of any kind, N.
+        residual: Internal minus contact plus inertial nodal forces (size,), N; 0 at fixed degrees
+            of freedom.
+        scale: Largest nodal force, internal, contact or inertial, N.
     """
 
     response: Response
@@ -94,9 +97,10 @@ class Equations:
     def press(
         self, start: Equilibrium, guess: tuple[np.ndarray, float], force: float
     ) -> Equilibrium:
-        """Return the equilibrium of a supported body under the force of the plane, N.
+        """Return the equilibrium of a supported body that the plane presses with a force, N.
 
-        `guess` is the initial displacement and height of the plane in Newton's method.
+        `start` is the last equilibrium. `guess` contains the nodal displacements and the height of
+        the plane, m, from which Newton's method starts.
 
         Raises:
             NoConvergence: Newton's method failed.
@@ -121,7 +125,11 @@ class Equations:
         raise NoConvergence(f"no equilibrium at {force:g} N in {ITERATIONS} iterations")
 
     def predict(self, start: Equilibrium, force: float) -> tuple[np.ndarray, float]:
-        """Return the guess for `press` after a load reversal: elastic, with unchanged contact."""
+        """Return the initial guess for `press` after a load reversal.
+
+        The guess is the elastic response from the equilibrium `start` to the contact force `force`,
+        N, while the same points stay in contact.
+        """
         change = self._bordered(
             self.body.stiffness(start.displacement, start.response.elastic()),
             start.touch.stiffness,
@@ -133,10 +141,13 @@ class Equations:
     def _bordered(
         self, stiffness: np.ndarray, edges: np.ndarray, right: np.ndarray, excess: float
     ) -> tuple[np.ndarray, float]:
-        """Return the Newton changes of displacement (size,) and plane height, m.
+        """Return the Newton changes of the displacements (size,) and of the plane's height, m.
 
-        `right` is the right side of the linear system, nodal forces (size,), N. `excess` is the
-        missing contact force, N.
+        Args:
+            stiffness: Stiffness matrices of the elements, N/m.
+            edges: Stiffness matrices of the contact edges, N/m.
+            right: Right side of the linear system: nodal forces (size,), N.
+            excess: Prescribed contact force minus present contact force, N.
         """
         column = self.contact.spread(edges)
         factor = self._factor([stiffness, edges])
@@ -162,7 +173,10 @@ class Equations:
             raise NoConvergence(str(error)) from None
 
     def move(self, start: Equilibrium, guess: np.ndarray, inertia: Inertia) -> Equilibrium:
-        """Return the balance of forces at the end of a time step, with inertia.
+        """Return the dynamic equilibrium at the end of a time step.
+
+        `start` is the equilibrium at the start of the step. `guess` contains the nodal
+        displacements, m, from which Newton's method starts.
 
         Raises:
             NoConvergence: Newton's method failed.
@@ -195,9 +209,9 @@ class Equations:
     def _step(
         self, displacement: np.ndarray, change: np.ndarray, balance: Balance, forces: Forces
     ) -> tuple[np.ndarray, Balance]:
-        """Return the next Newton iterate and its balance.
+        """Return the displacements after a Newton iteration, and their balance of forces.
 
-        Subclasses may shorten `change` (line search).
+        Subclasses may shorten `change` by a line search.
         """
         return displacement + change, forces(displacement + change)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Linear systems with constant, symmetric sparsity, assembled from element matrices."""
+"""Linear systems that are assembled from element matrices; their sparsity pattern is constant."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ class SingularError(ArithmeticError):
 class SymmetricSystem:
     """Sparse matrix that is assembled from element matrices and factored with SuperLU.
 
-    The sparsity is symmetric; the values may be unsymmetric, as with friction. Sparsity and
-    ordering are computed only once. Degrees of freedom are renumbered to reduce fill-in.
+    The sparsity pattern is symmetric; the values may be unsymmetric, as with friction. The pattern
+    and the ordering are computed only once. Degrees of freedom are reordered to reduce fill-in.
 
     Attributes:
         free: Free degrees of freedom, in the order of the matrix.
@@ -26,7 +26,8 @@ class SymmetricSystem:
         """Compute the sparsity pattern and the ordering.
 
         Args:
-            groups: Degrees of freedom of each type of element, (n_elements, n_dofs) each.
+            groups: One array (n_elements, n_dofs) for each type of element: the degrees of freedom
+                of its elements.
             size: Number of degrees of freedom.
             fixed: Degrees of freedom fixed at zero.
         """
@@ -63,7 +64,7 @@ class SymmetricSystem:
         `matrices` has one array (n_elements, n_dofs, n_dofs) for each type of element.
 
         Raises:
-            SingularError: The sum is singular.
+            SingularError: The assembled matrix is singular.
         """
         matrix = self._matrix(np.concatenate([matrix.ravel() for matrix in matrices]))
         try:
@@ -79,7 +80,7 @@ class SymmetricSystem:
 
 
 class Factor:
-    """Factored matrix of a system."""
+    """Factored matrix of a linear system."""
 
     def __init__(self, factor: SuperLU, free: np.ndarray) -> None:
         self._factor = factor

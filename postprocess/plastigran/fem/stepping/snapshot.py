@@ -16,17 +16,17 @@ YIELDED = 1e-4  # accumulated plastic strain above which a point counts as yield
 
 @attrs.frozen
 class Snapshot:
-    """Fields at one time.
+    """Fields of a body at one time.
 
     Attributes:
-        force: Force, N.
-        radii: Mean radius of each edge of the surface (n,), m.
-        pressure: Mean pressure of each edge, Pa.
+        force: Contact force, N.
+        radii: Mean distance of each element edge of the surface from the axis (n_edges,), m.
+        pressure: Mean pressure on each of these edges (n_edges,), Pa.
         positions: (r, y) of the Gauss points (points, 2), m.
-        mises: Von Mises stress at the Gauss points (points,), Pa; in finite strain, of the stress
-            conjugate to the logarithmic strain.
+        mises: Von Mises stress at the Gauss points (points,), Pa. In finite strain, it is computed
+            from the stress that is conjugate to the logarithmic strain.
         plastic_strain: Accumulated plastic strain at the Gauss points (points,).
-        vertices: (r, y) of the corner nodes, undeformed (n_vertices, 2), m.
+        vertices: (r, y) of the corner nodes in the undeformed body (n_vertices, 2), m.
         quads: Corners of each element (n_elements, 4); its four Gauss points are consecutive.
         displacement: Displacements of the corner nodes (n_vertices, 2), m.
     """
@@ -43,7 +43,7 @@ class Snapshot:
 
 
 def energies(body: Body | Pair, state: Equilibrium) -> dict[str, float]:
-    """Return the elastic energy and plastic work of a body, and the penalty energy, J."""
+    """Return the elastic energy, the plastic work and the penalty energy of the contact, J."""
     return {
         "elastic_energy": body.elastic_energy(state.displacement, state.response),
         "plastic_work": float(state.response.state.work @ body.volumes.ravel()),
@@ -73,9 +73,10 @@ def mises_stress(stress: np.ndarray) -> np.ndarray:
 
 
 def at_vertices(snapshot: Snapshot, values: np.ndarray) -> np.ndarray:
-    """Return values at the element corners (n_vertices,) from values at the Gauss points (points,).
+    """Return values at the corner nodes (n_vertices,) from values at the Gauss points (points,).
 
-    The value at a corner is the mean over the closest Gauss points of its elements.
+    Each element at a corner node contributes the value at its Gauss point closest to the node. The
+    result is the mean of these values.
     """
     quads = snapshot.quads
     points = snapshot.positions.reshape(len(quads), -1, 2)

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Closed forms that set the scales of steps and meshes, and are reference solutions."""
+"""Formulas of elastic contact: reference solutions, and estimates for choosing meshes and steps."""

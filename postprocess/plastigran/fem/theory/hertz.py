@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Hertz contact (1882) of an elastic sphere with a plane or a half space.
 
-The formulas set the scales of steps and meshes, and are reference solutions.
+The formulas are reference solutions. They also give the estimates from which meshes, load
+increments and time steps are chosen.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ from plastigran.fem.material.elastic_plastic import ElasticPlastic
 
 @attrs.frozen
 class HertzSphere:
-    """Elastic sphere on a plane.
+    """Hertz contact of an elastic sphere with a plane.
 
     Attributes:
         material: Material of the sphere. Only the yield strength of its hardening law is used.
@@ -31,12 +32,12 @@ class HertzSphere:
 
     @property
     def modulus(self) -> float:
-        """E* of both bodies, Pa."""
+        """Effective modulus E* of both bodies, Pa."""
         return self.material.pair_modulus(self.plane)
 
     @property
     def mass(self) -> float:
-        """Mass, kg."""
+        """Mass of the sphere, kg."""
         return self.material.density * 4 / 3 * pi * self.radius**3
 
     def contact_radius(self, force: float) -> float:
@@ -61,13 +62,13 @@ class HertzSphere:
 
     @property
     def yielding(self) -> ElasticPlastic | None:
-        """Material that yields first; None if neither yields."""
+        """Material of the body that yields first; None if neither body yields."""
         metals = [metal for metal in (self.material, self.plane) if metal and metal.hardening]
         return min(metals, key=_yield_pressure, default=None)
 
     @property
     def yield_force(self) -> float:
-        """Force at first yield below the surface of a body, N; infinite if neither yields."""
+        """Force at first yield below the surface of a body, N; infinite if neither body yields."""
         if self.yielding is None:
             return float("inf")
         return pi**3 * self.radius**2 * _yield_pressure(self.yielding) ** 3 / (6 * self.modulus**2)
@@ -82,8 +83,9 @@ class HertzSphere:
 def _yield_pressure(metal: ElasticPlastic) -> float:
     """Return the largest pressure of a Hertz contact at which a metal yields, Pa.
 
-    The largest von Mises stress on the axis is p_0 F(nu),
-    F = max over z of 1.5/(1 + z^2) - (1 + nu)(1 - z atan(1/z)), z the depth/a.
+    The largest von Mises stress on the axis is p_0 F, with the largest pressure p_0. F is the
+    maximum of 1.5/(1 + z^2) - (1 + nu)(1 - z atan(1/z)) over z, the depth divided by the contact
+    radius; nu is Poisson's ratio.
     """
     poissons_ratio = metal.poissons_ratio
     least = minimize_scalar(

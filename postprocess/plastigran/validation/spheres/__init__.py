@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Spheres of many metals on a rigid plane, loaded and unloaded by finite elements.
+"""Table of spheres: many metals on a rigid plane, loaded and unloaded by finite elements.
 
-`table()` reads `plastigran/data/finite_elements_spheres.csv`. The file has a row for each metal and
-largest force; `python -m plastigran.validation.spheres.compute` writes it. All quantities are
-dimensionless. "In yield units" means divided by the Hertzian value at first yield: the force P_Y,
-the overlap alpha_Y = a_Y^2/R, the contact radius a_Y or the work P_Y alpha_Y. The speed v_Y follows
-from 1/2 m v_Y^2 = 2/5 P_Y alpha_Y.
+`table()` reads the file `plastigran/data/finite_elements_spheres.csv`, which
+`python -m plastigran.validation.spheres.compute` writes. The file has a row for each metal and each
+largest force. All quantities are dimensionless. "In yield units" means divided by the Hertzian
+value at first yield: the force P_Y, the overlap alpha_Y = a_Y^2/R, the contact radius a_Y or the
+work P_Y alpha_Y. The yield speed v_Y follows from 1/2 m v_Y^2 = 2/5 P_Y alpha_Y.
 
     metal                        name, the same for all rows of a metal
     set                          `fit`, or `held` if the metal is not in the fit of `universal`
@@ -34,8 +34,8 @@ import pandas as pd
 
 from plastigran.calibration.expected_errors import KINDS, WIDE
 
-#: Lower bounds of the speed regimes, impact speed / yield speed. The last regime ends at the
-#: largest speed of a table.
+#: Lower bounds of the speed regimes, as impact speed / yield speed. The last regime ends at the
+#: largest speed of the table that is evaluated.
 SPEED_RATIOS = (1, 3, 10, 100, 300)
 TABLE = files("plastigran") / "data" / "finite_elements_spheres.csv"
 
@@ -47,6 +47,6 @@ def table() -> pd.DataFrame:
 
 
 def contact_kinds(rows: pd.DataFrame) -> np.ndarray:
-    """Return one of `KINDS` for each of the n rows of the table of spheres, (n,)."""
+    """Return the kind of contact, one of `KINDS`, for each of the n rows of `table()` (n,)."""
     plastic = np.where(rows["hardening_ratio"] > 0, KINDS[1], KINDS[0])
     return np.where(rows["contact_radius_over_radius"] >= WIDE, KINDS[2], plastic)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Accuracy of the table of spheres: finer steps and meshes, and dynamic impacts.
+"""Accuracy of the finite-element table of spheres: finer steps and meshes, and dynamic impacts.
 
     python -m plastigran.validation.spheres.checks
 
@@ -42,9 +42,9 @@ COMPARED = {
 
 
 def refined() -> pd.DataFrame:
-    """Return the mean and the largest change [%] of the results of each metal with finer settings.
+    """Return how much finer settings change the results of each metal: mean and largest change [%].
 
-    Results are compared at the same force, for forces from 3 P_Y.
+    Results are compared at equal forces, from 3 times the yield force.
     """
     rows = []
     for name in REFINED:
@@ -62,9 +62,9 @@ def refined() -> pd.DataFrame:
 
 
 def dynamic() -> pd.DataFrame:
-    """Return restitution and largest force (in yield units) of dynamic impacts.
+    """Return the restitution and the largest force / yield force of dynamic impacts.
 
-    The quasi-static values for comparison are interpolated between rows of the table of spheres.
+    The quasi-static values for comparison are interpolated in the finite-element table of spheres.
     """
     rows = []
     for name, speed in DYNAMIC:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Compute the table of spheres and write it.
+"""Compute the finite-element table of spheres and write it to its file.
 
     python -m plastigran.validation.spheres.compute [metal ...]
 
@@ -30,7 +30,7 @@ SETTINGS = Settings(growth=1.04, unloading_steps=10)
 
 
 def compute(metal: SphereMetal, settings: Settings = SETTINGS) -> pd.DataFrame:
-    """Return the rows of one metal, from the cache if possible."""
+    """Return the rows of the table of spheres for one metal, from the cache if possible."""
     forces = tuple(float(force) for force in metal.forces)
     pressing = cached(press_and_release, metal.material, RADIUS, forces, settings=settings)
     if pressing.stopped:
@@ -39,7 +39,10 @@ def compute(metal: SphereMetal, settings: Settings = SETTINGS) -> pd.DataFrame:
 
 
 def rows(metal: SphereMetal, pressing: Pressing) -> pd.DataFrame:
-    """Return a row for each unloading; `plastigran.validation.spheres` lists the columns."""
+    """Return a row of the table of spheres for each unloading of a compression.
+
+    The module docstring of `plastigran.validation.spheres` explains the columns.
+    """
     sphere = metal.sphere
     force, overlap = sphere.yield_force, sphere.approach(sphere.yield_force)
     radius = sphere.contact_radius(force)
@@ -66,7 +69,7 @@ def rows(metal: SphereMetal, pressing: Pressing) -> pd.DataFrame:
 
 
 def main(names: Sequence[str]) -> None:
-    """Compute the named metals, or all metals, and write a table of the computed metals."""
+    """Compute the metals with these names, or all metals, and write the table of their results."""
     warnings.simplefilter("ignore", SmallStrainWarning)
     tables = []
     for name in names or METALS:

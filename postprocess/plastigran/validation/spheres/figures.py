@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figures of the fit of the law `universal`: collapse of the metals on one curve, and errors."""
+"""Figures of the fit of the law `universal`: all metals on one curve, and the errors."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from plastigran.validation.spheres.forms import Constants, Metals, depth, errors
 
 
 def write(constants: Constants, rows: pd.DataFrame, folder: Path) -> list[Path]:
-    """Draw both figures into a folder and return the files."""
+    """Draw both figures of the fit, save them in a folder and return the files."""
     figures = {
         "universal_fit": collapse_figure(constants, rows),
         "universal_errors": errors_figure(constants, rows),
@@ -29,9 +29,9 @@ def write(constants: Constants, rows: pd.DataFrame, folder: Path) -> list[Path]:
 def collapse_figure(constants: Constants, rows: pd.DataFrame) -> Figure:
     """Draw force, contact radius and released energy, relative to Hertz, versus the depth S.
 
-    For force and contact radius, the Hertz contact has the same overlap. For the released energy,
-    the Hertz contact has the same force and contact radius. Lines are the equations of the law for
-    small a/R without hardening.
+    S measures how far a contact is beyond yield; see `forms.depth`. For force and contact radius,
+    the Hertz contact has the same overlap. For the released energy, the Hertz contact has the same
+    force and contact radius. Lines are the equations of the law for small a/R without hardening.
     """
     metals, t = Metals.of(rows), np.sqrt(rows["overlap_ratio"])
     s = depth(constants, metals, t.to_numpy())
@@ -67,7 +67,7 @@ def collapse_figure(constants: Constants, rows: pd.DataFrame) -> Figure:
 
 @styled()
 def errors_figure(constants: Constants, rows: pd.DataFrame) -> Figure:
-    """Draw the errors of the law in force and restitution versus speed."""
+    """Draw the errors of the law `universal` in force and restitution versus impact speed."""
     error = errors(constants, rows)
     figure, panels = subplots(1, 2, figsize=(9.4, 4.2), sharex=True)
     for axes, name in zip(panels, ("force", "restitution"), strict=True):

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Fit the constants of the law `universal` to the table of spheres.
+"""Fit the constants of the law `universal` to the finite-element table of spheres.
 
     python -m plastigran.validation.spheres.fit [--figures FOLDER]
 
-This command prints the constants in the format of the law's header. It also prints the errors of
-the law for the metals of the fit and for held-out metals.
+This command prints the constants in the format of the law's C++ header. It also prints the errors
+of the law for the metals of the fit and for held-out metals.
 """
 
 from __future__ import annotations
@@ -21,20 +21,23 @@ from scipy.optimize import least_squares
 from plastigran.validation.spheres import SPEED_RATIOS, contact_kinds, table
 from plastigran.validation.spheres.forms import Constants, Metals, errors, peak
 
-#: Scales by which the fit divides the relative differences. The scales are close to the uncertainty
-#: of the finite elements.
+#: The fit divides the relative differences of each quantity by these scales, which are close to the
+#: uncertainties of the finite elements.
 FORCE, CONTACT_RADIUS, WORK_UNLOADING, RECOVERY = 0.002, 0.006, 0.004, 0.008
 #: Smallest force / yield force of the fit. At smaller forces, too few elements are in contact to
 #: determine the contact radius.
 SMALLEST_FORCE = 8.0
 DIGITS = 4
 
-#: Bounds of the speed regimes for which the largest errors are printed, impact speed / yield speed.
+#: Bounds of the speed regimes for the printed errors, as impact speed / yield speed.
 REGIMES = (*SPEED_RATIOS, 1200)
 
 
 def fit(rows: pd.DataFrame) -> Constants:
-    """Fit the constants to the rows of the set `fit`, with a soft L1 norm, and return them."""
+    """Return the constants that fit the rows of the set `fit` of the table of spheres best.
+
+    The fit minimizes the soft L1 norm of the scaled differences.
+    """
     rows = rows[rows["set"] == "fit"]
     metals, t = Metals.of(rows), np.sqrt(rows["overlap_ratio"].to_numpy())
     names = [field.name for field in attrs.fields(Constants)]
@@ -63,14 +66,20 @@ def fit(rows: pd.DataFrame) -> Constants:
 
 
 def regimes(rows: pd.DataFrame) -> pd.DataFrame:
-    """Return the speed regime and the kind of contact of each row: columns `regime` and `kind`."""
+    """Return the speed regime and the kind of contact of each row of the table of spheres.
+
+    The columns of the result are `regime` and `kind`.
+    """
     labels = [f"{low} to {high}" for low, high in pairwise(REGIMES)]
     regime = pd.cut(rows["speed_ratio"], REGIMES, labels=labels)
     return pd.DataFrame({"regime": regime, "kind": contact_kinds(rows)}, index=rows.index)
 
 
 def bands(constants: Constants, rows: pd.DataFrame) -> pd.DataFrame:
-    """Return the largest errors [%] by set, kind of contact and speed regime."""
+    """Return the largest errors of the law [%] by set, kind of contact and speed regime.
+
+    The sets are the metals of the fit and the held-out metals.
+    """
     error = errors(constants, rows).abs()
     where = [rows["set"], *(column for _, column in regimes(rows).items())]
     return error.groupby(where, observed=True, sort=True).max()

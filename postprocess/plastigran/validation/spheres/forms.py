@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Equations of the law `universal` in yield units, with constants that the fit varies.
 
-`contact_models/plastigran/laws/universal.h` has the same equations. docs/laws/universal.md explains
-the equations.
+`contact_models/plastigran/laws/universal.h` implements the same equations, and
+docs/laws/universal.md explains them.
 """
 
 from __future__ import annotations
@@ -22,7 +22,10 @@ NODES, WEIGHTS = (NODES + 1) / 2, WEIGHTS / 2  # Gauss nodes and weights on [0, 
 
 @attrs.frozen
 class Constants:
-    """Constants of the law, with the starting values of the fit.
+    """Constants of the law `universal`, with the starting values of the fit.
+
+    t is the square root of overlap/overlap_Y. "Strength" is q in `depth`; "recovery" is the overlap
+    that unloading recovers.
 
     Attributes:
         q_1: Strength: depth from which the pressure at yield has no effect.
@@ -38,10 +41,10 @@ class Constants:
         c_3: Contact radius near yield.
         c_4: Contact radius: reduction by hardening.
         c_5: Contact radius: higher stiffness of a finite sphere.
-        d_1: Recovery: largest relative deficit from Hertz.
+        d_1: Recovery: largest relative deficit compared with a Hertz contact.
         d_2: Recovery near yield.
         d_3: Recovery near yield.
-        g_1: Unloading curve: deviation from Hertz.
+        g_1: Unloading curve: deviation from a Hertz contact.
     """
 
     q_1: float = 6.8
@@ -65,11 +68,12 @@ class Constants:
 
 @attrs.frozen(eq=False)
 class Metals:
-    """Parameters of a metal in the equations, each an array (n,) or a number.
+    """Parameters of one or n metals in the equations; each a number or an array (n,).
 
     Attributes:
-        onset: p_y/sigma_Y divided by its value at Poisson's ratio 0.3.
-        hardening: (p_y/sigma_Y) H/E', with E' = E/(1 - nu^2).
+        onset: Ratio p_y/sigma_Y of yield pressure and yield strength, divided by its value at
+            Poisson's ratio 0.3.
+        hardening: (p_y/sigma_Y) H/E', with the hardening slope H and E' = E/(1 - nu^2).
         yield_radius: a_Y/R.
     """
 
@@ -79,7 +83,7 @@ class Metals:
 
     @classmethod
     def of(cls, table: pd.DataFrame) -> Metals:
-        """Return the metals of the rows of the table of spheres (n,)."""
+        """Return the parameters of the metal of each row of the table of spheres (n,)."""
         poissons_ratio = table["poissons_ratio"].to_numpy()
         factor = np.array([_pressure_factor(value) for value in poissons_ratio])
         return cls(
@@ -96,7 +100,7 @@ def _pressure_factor(poissons_ratio: float) -> float:
 
 @attrs.frozen(eq=False)
 class Peak:
-    """State of a contact in first loading, in yield units; arrays (n,).
+    """State of a contact in first loading, divided by the values at yield; arrays (n,).
 
     Attributes:
         force: F/F_Y.
@@ -112,7 +116,10 @@ class Peak:
 
 
 def depth(constants: Constants, metals: Metals, t: np.ndarray) -> np.ndarray:
-    """Return S = max(t/q - 1, 0) (n,) at t = (overlap/overlap_Y)^(1/2) >= 1; q is `strength`."""
+    """Return the depth S = max(t/q - 1, 0) (n,), which measures how far a contact is beyond yield.
+
+    t = (overlap/overlap_Y)^(1/2) >= 1. The strength q describes the metal; see `Constants`.
+    """
     k, s = constants, t - 1
     strength = (k.q_1 + s) / (k.q_1 + metals.onset * s)
     strength = strength + k.q_2 * metals.hardening * s / (1 + k.q_3 * s)
@@ -120,7 +127,10 @@ def depth(constants: Constants, metals: Metals, t: np.ndarray) -> np.ndarray:
 
 
 def peak(constants: Constants, metals: Metals, t: np.ndarray) -> Peak:
-    """Return force, contact radius, recovery and released energy at t >= 1 (n,)."""
+    """Return force, contact radius, recovery and released energy after loading to t (n,).
+
+    t = (overlap/overlap_Y)^(1/2) >= 1.
+    """
     k, s = constants, depth(constants, metals, t)
     finite = (metals.yield_radius * s) ** 2 / (1 + metals.yield_radius * s)
     softening = k.f_1 * s**2 * (s + k.f_2) / ((s + k.f_3) * (s + k.f_4))
@@ -140,17 +150,18 @@ def unloading_work(g: np.ndarray) -> np.ndarray:
 
 
 def work_ratio(work_unloading, force, contact_radius):
-    """Return the released energy / released energy of a Hertz contact, 3 F^2/(10 E* a).
+    """Return the released energy / released energy of a Hertz contact.
 
-    The Hertz contact has the same force and contact radius. All arguments are in yield units.
+    The Hertz contact has the same force F and contact radius a; it releases 3 F^2/(10 E* a). All
+    arguments are in yield units.
     """
     return work_unloading * contact_radius / (0.4 * force**2)
 
 
 def first_loading_work(constants: Constants, metals: Metals, t: np.ndarray) -> np.ndarray:
-    """Return the loading work / (F_Y overlap_Y) at each t of an increasing grid from 1 (n,).
+    """Return the loading work / (F_Y overlap_Y) at each t = (overlap/overlap_Y)^(1/2) (n,).
 
-    The function integrates the force by Gauss quadrature between the points of the grid.
+    The values of t increase from 1. The force is integrated by Gauss quadrature between them.
     """
     steps = np.diff(t)
     at = t[:-1, None] + steps[:, None] * NODES
@@ -159,11 +170,12 @@ def first_loading_work(constants: Constants, metals: Metals, t: np.ndarray) -> n
 
 
 def errors(constants: Constants, table: pd.DataFrame) -> pd.DataFrame:
-    """Return the errors of the law for the rows of the table, in per cent of the finite elements.
+    """Return the errors of the law for each row of the table of spheres [%].
 
     Returns:
-        One row for each row of the table. The errors `force` and `restitution` are for an impact
-        with the same loading work, `contact_radius` and `recovery` for the same overlap.
+        Table with one row for each row of the table of spheres. The errors `force` and
+        `restitution` compare impacts with the same loading work; the errors `contact_radius` and
+        `recovery` compare contacts at the same overlap.
     """
     parts = []
     for _, rows in table.groupby("metal", sort=False):

@@ -14,10 +14,11 @@ from plastigran.fem.material.hardening import LinearHardening
 from plastigran.fem.theory.hertz import HertzSphere
 from plastigran.materials import RIGID
 
-#: Plane modulus [Pa] and radius [m] of every sphere; ratios do not depend on them.
+#: Plane-strain modulus [Pa] and radius [m] of every sphere. The dimensionless results do not depend
+#: on them.
 PLANE_MODULUS, RADIUS = 100e9, 0.01
 
-#: Largest forces / yield force from which a sphere is unloaded.
+#: Forces / yield force from which a sphere is unloaded.
 FORCE_RATIOS = (1.3, 2, 3, 5, 8, 13, 22, 38, 65, 110, 190, 320, 540, 900, 1600, 2700)
 
 
@@ -28,9 +29,9 @@ class SphereMetal:
     Attributes:
         yield_strength_ratio: sigma_Y/E*.
         poissons_ratio: nu.
-        hardening_ratio: H/E.
-        held: Whether the metal is held out of the fit.
-        force_ratio_max: Largest force in yield units.
+        hardening_ratio: H/E, with the hardening slope H.
+        held: Whether the metal is held out of the fit of `universal`.
+        force_ratio_max: Largest force / yield force.
         strain: Kinematics, "small" or "finite".
         contact_radius_ratio_max: Largest a/R of the computation.
     """
@@ -45,12 +46,12 @@ class SphereMetal:
 
     @classmethod
     def of(cls, row: pd.Series) -> SphereMetal:
-        """Return the metal of a row of the table."""
+        """Return the metal of a row of the table of spheres."""
         return cls(row["yield_strength_ratio"], row["poissons_ratio"], row["hardening_ratio"])
 
     @property
     def name(self) -> str:
-        """Name that contains all constants."""
+        """Name of the metal, which contains all its constants."""
         hardening = f"H{self.hardening_ratio:.4g}" if self.hardening_ratio else "perfect"
         finite = "-finite" if self.strain == "finite" else ""
         return f"s{self.yield_strength_ratio:g}-nu{self.poissons_ratio:g}-{hardening}{finite}"

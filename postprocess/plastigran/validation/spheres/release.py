@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Compression of a sphere by finite elements, with unloading from many forces during one loading.
 
-`plastigran.fem.sphere.press` reloads the sphere after each unloading. Here loading continues from
-the state before unloading, which gives the same result with half the increments.
+`plastigran.fem.sphere.press` reloads the sphere after each unloading. Here, loading continues from
+the state before unloading. The result is the same, with half as many increments.
 """
 
 from __future__ import annotations
@@ -29,9 +29,9 @@ def press_and_release(
     settings: Settings | None = None,
     progress: bool = False,
 ) -> Pressing:
-    """Load a sphere on a rigid plane and unload it from each of several forces.
+    """Press a sphere on a rigid plane and unload the sphere from each of several forces.
 
-    Arguments and errors are those of `press`.
+    Arguments and errors are those of `plastigran.fem.sphere.press.press`.
 
     Returns:
         Result of `press`, without snapshots. If an unloading finds no equilibrium, the result
