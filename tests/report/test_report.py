@@ -57,7 +57,7 @@ def test_a_page_is_written_with_its_pictures(tmp_path):
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        (PAGE + PAGE.replace("one", "two"), "markers for the table two, but small has no such"),
+        (PAGE + PAGE.replace("one", "two"), "table two -->`, but small has no such table"),
         (PAGE + PAGE, "a table has two places"),
         (None, "small.md is missing"),
     ],
@@ -71,5 +71,5 @@ def test_a_page_with_wrong_places_is_refused(text, message, tmp_path):
 
 def test_missing_results_are_refused():
     evidence = attrs.evolve(small_evidence(), tables=("one", "two"))
-    with pytest.raises(ValueError, match="tables of small are not as declared: two"):
+    with pytest.raises(ValueError, match=r"tables of small: .* declared names differ in two"):
         evidence.run()

@@ -27,17 +27,18 @@ from matplotlib.figure import Figure
 from plastigran.plot.movie import Movie, save_movie
 from plastigran.plot.style import save
 
-RESOLUTION = 100  # dots per inch of figures, so that the pictures of a page are below 150 kB
+# Dots per inch of figures. With this resolution, each figure is smaller than 150 kB.
+RESOLUTION = 100
 
 
 @attrs.frozen(eq=False)
 class Findings:
     """Computed tables, figures and movies by name.
 
-    A row of a table contains values of one quantity. The first columns, such as `quantity` and
-    `unit`, identify the quantity. Columns of numbers follow, such as `paper`, `finite elements`,
-    the name of a law, or `LIGGGHTS`. Names of columns with differences end in "(%)", see
-    `add_difference`.
+    A row of a table compares the values of one quantity from several sources. The first columns,
+    such as `quantity` and `unit`, identify the quantity. The other columns contain the values from
+    each source, such as `paper`, `finite elements`, a law, or `LIGGGHTS`. Names of columns with
+    differences end in "(%)"; see `add_difference`.
     """
 
     tables: Mapping[str, pd.DataFrame]
@@ -57,15 +58,15 @@ class Findings:
 
 @attrs.frozen(kw_only=True)
 class Evidence:
-    """Declaration of computed tables and figures, and of the pages that show them.
+    """Declaration of computed tables and figures, and of the pages of the docs that show them.
 
     Attributes:
         name: Short name, as on the command line.
         title: Title of the results.
-        tables, figures, movies: Names of the results.
+        tables, figures, movies: Names of the computed tables, figures and movies.
         data: Names of further tables, which are written as CSV files but shown on no page.
-        pages: File names of the pages. Together, the pages have one place for each of `tables`.
-        pictures: Folder of the pictures, relative to the folder of the pages.
+        pages: File names of the pages. Each of `tables` has its place on at most one page.
+        pictures: Folder for the pictures, relative to the folder of the pages.
         compute: Function `compute(progress, coarse)` that returns the `Findings`.
     """
 
@@ -90,8 +91,8 @@ class Evidence:
 
         Args:
             progress: Whether to show progress bars.
-            coarse: Whether to use coarse meshes and fewer cases. A coarse computation takes some
-                seconds and has errors of some per cent.
+            coarse: Whether to use coarse meshes and compute fewer impacts. A coarse computation
+                takes some seconds and has errors of some per cent.
 
         Raises:
             ValueError: A computation failed, or the names of the results differ from the declared
@@ -103,15 +104,18 @@ class Evidence:
         declared |= {"figures": self.figures, "movies": self.movies}
         for results, names in declared.items():
             if odd := sorted(set(names) ^ set(getattr(findings, results))):
-                raise ValueError(f"{results} of {self.name} are not as declared: {', '.join(odd)}")
+                raise ValueError(
+                    f"{results} of {self.name}: computed and declared names differ in "
+                    f"{', '.join(odd)}. Compute exactly the declared {results}"
+                )
         return findings
 
 
 def add_difference(table: pd.DataFrame, of: str, against: str) -> pd.DataFrame:
-    """Return the table with a column of differences, inserted after column `of`.
+    """Return a table with a new column of differences, inserted after column `of`.
 
-    The difference of column `of` from column `against` is in per cent of `against`. The cell is
-    empty where `against` is zero or has no value.
+    The new column contains the difference of column `of` from column `against`, in per cent of
+    `against`. A cell is empty where `against` is zero or has no value.
     """
     position = table.columns.get_loc(of) + 1
     values, references = (table[name].astype(float) for name in (of, against))

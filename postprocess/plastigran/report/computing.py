@@ -23,16 +23,17 @@ Key = TypeVar("Key", bound=Hashable)
 def compute_all(
     computations: Mapping[Key, Callable[[], Any]], progress: bool = False
 ) -> dict[Key, Any]:
-    """Run computations, one per core at a time, and return their results by name.
+    """Run computations in parallel, one per core, and return their results by name.
 
     Args:
         computations: Functions by name. Other processes must be able to import the functions. Most
             are a `partial` of `plastigran.fem.cache.cached`, which stores results on disk. Put the
-            longest computation first to use the cores well.
+            longest computation first, so that no core is idle at the end.
         progress: Whether to show a progress bar.
 
     Raises:
-        ValueError: A computation did not converge or stopped early; the message names it.
+        ValueError: A computation did not converge or stopped early. The message names the
+            computation.
     """
     results: dict[Key, Any] = {}
     pool = ProcessPoolExecutor(
@@ -63,7 +64,7 @@ def compute_all(
 def _start_worker(cache: Path) -> None:
     """Prepare a worker process: set the folder of the cache, and print warnings as plain lines.
 
-    The worker ends when the process that started it ends, and immediately on Ctrl-C.
+    The worker process ends when its parent process ends, and immediately on Ctrl-C.
     """
     signal.signal(signal.SIGINT, signal.SIG_DFL)
     os.environ["PLASTIGRAN_CACHE"] = str(cache)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Write tables and pictures into the pages that show evidence.
+"""Write computed tables and pictures into the pages of the docs that show them.
 
 The place of a table on a page is between the lines `<!-- table NAME -->` and `<!-- end -->`. A
-table without a place is only written as a CSV file.
+table without such a place is only written as a CSV file.
 """
 
 from __future__ import annotations
@@ -22,10 +22,15 @@ PLACE = re.compile(r"(<!-- table (\w+) -->\n)(.*?)(<!-- end -->)", re.DOTALL)
 
 
 def read_pages(evidence: Evidence, folder: Path) -> dict[Path, str]:
-    """Return the text of the pages of evidence by path. The pages are in one folder.
+    """Return the text of the pages that show evidence, by path.
+
+    Args:
+        evidence: Evidence that names the pages.
+        folder: Folder of the pages.
 
     Raises:
-        ValueError: A page is missing, or has a place for a table that the evidence does not have.
+        ValueError: A page is missing, or has a place for a table that `evidence` does not declare.
+            Or two places have the same table.
     """
     pages = {}
     for path in (folder / name for name in evidence.pages):
@@ -36,11 +41,14 @@ def read_pages(evidence: Evidence, folder: Path) -> dict[Path, str]:
     places = [place[1] for text in pages.values() for place in PLACE.findall(text)]
     if unknown := set(places) - set(evidence.tables):
         raise ValueError(
-            f"{paths} has markers for the table {min(unknown)}, but {evidence.name} has no such "
-            "table"
+            f"{paths} has a line `<!-- table {min(unknown)} -->`, but {evidence.name} has no such "
+            f"table. Remove the line, or use one of {', '.join(evidence.tables)}"
         )
     if len(places) != len(set(places)):
-        raise ValueError(f"{paths}: a table has two places. Remove the second pair of markers")
+        raise ValueError(
+            f"{paths}: a table has two places. Remove the second pair of the lines "
+            "`<!-- table NAME -->` and `<!-- end -->`"
+        )
     return pages
 
 
@@ -54,14 +62,14 @@ def read_tables(text: str) -> dict[str, pd.DataFrame]:
 
 
 def fill(text: str, tables: Mapping[str, pd.DataFrame]) -> str:
-    """Return the text of a page after writing each table into its place."""
+    """Write each table into its place on a page; return the new text of the page."""
     return PLACE.sub(lambda place: place[1] + to_markdown(tables[place[2]]) + place[4], text)
 
 
 def publish(
     evidence: Evidence, findings: Findings, written: list[Path], folder: Path
 ) -> list[Path]:
-    """Write tables into the pages of evidence and copy its pictures; return the files.
+    """Write tables into the pages that show evidence, and copy the pictures; return the files.
 
     Args:
         evidence: Evidence that names the pages and the folder of pictures.

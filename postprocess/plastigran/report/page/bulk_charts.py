@@ -24,7 +24,7 @@ ROWS = 400
 
 
 def ledger_chart(series: pd.DataFrame, checks: pd.DataFrame) -> Chart | None:
-    """Return the chart of the energy balance, or None if the log lacks energy terms."""
+    """Return the chart of the energy balance, or None if the log has no energy terms."""
     series = last_simulation(series)
     terms = energy_terms(series)
     if not {*ENERGIES, "drift", "time"} <= set(series) or not energy_input(series) > 0:
@@ -51,7 +51,7 @@ def ledger_chart(series: pd.DataFrame, checks: pd.DataFrame) -> Chart | None:
 
 
 def series_chart(series: pd.DataFrame) -> Chart | None:
-    """Return a chart of the columns of the log versus time, with predictions if there are any."""
+    """Return a chart of the columns of the log versus time, with theory where it is available."""
     if "time" not in series or len(series) < 2:
         return None
     series = _thin(series)
@@ -63,7 +63,7 @@ def series_chart(series: pd.DataFrame) -> Chart | None:
         if values.nunique() < 2:
             continue
         panel = _series_panel(series.assign(**{column: values}), column)
-        # Make titles unique, because columns of a user's log may have the same title.
+        # Make titles unique, because two columns of a user's log may have the same title.
         title = panel.y.title.capitalize()
         views[f"{title} ({column})" if title in views else title] = [panel]
     if not views:
@@ -88,6 +88,6 @@ def _series_panel(series: pd.DataFrame, column: str) -> Panel:
 
 
 def _thin(series: pd.DataFrame) -> pd.DataFrame:
-    """Return at most `ROWS` rows of a series, evenly spaced, including the last row."""
+    """Return at most `ROWS` evenly spaced rows of a time series, including its last row."""
     stride = max(1, -(-len(series) // ROWS))
     return series.iloc[(len(series) - 1) % stride :: stride]

@@ -35,10 +35,10 @@ from plastigran.report.page.movie import Clock, GrainMovie, pack_movie
 from plastigran.report.page.pictures import read_pictures
 from plastigran.report.page.sections import Section, number, span, version_facts
 
-#: Settings shown at the top of the section.
+#: Settings of the deck that the top of the section shows.
 _HEAD = ("law", "material", "radius", "timestep")
-#: Values that the page takes from the log of a user's deck, because a setting of the deck with this
-#: name may have another meaning.
+#: Values that the page takes from the log if the deck is a user's own. In such a deck, a setting
+#: with this name may have another meaning.
 _FROM_LOG = ("law", "timestep")
 #: Unit systems whose time is in seconds.
 _SECONDS = ("si", "cgs")
@@ -92,12 +92,12 @@ def make(results: Results) -> Section:
 
 
 def _progress(path: Path, log: str) -> str:
-    """Return a sentence about the last step of an unfinished run."""
+    """Return a sentence that says how far an unfinished run has come."""
     if not log:
         return f"The run has not started: {path.name} is missing or empty."
     at = LogFollower(path).read()
     if not at.last:
-        return f"The run has not finished: {path.name} ends before its first step."
+        return f"The run has not finished: {path.name} ends before the first time step."
     share = (at.step - at.first) / max(at.last - at.first, 1)
     return (
         f"The run has not finished: {path.name} ends at step {at.step} of {at.last}, {share:.0%} "
@@ -107,7 +107,10 @@ def _progress(path: Path, log: str) -> str:
 
 
 def _verdict(run: BulkRun | None, warnings: int) -> tuple[str, str]:
-    """Return the state of a run, and the state in words with the number of warnings."""
+    """Return the state of a bulk run, and a few words about its checks and warnings.
+
+    The state is one of the values of `Section.state`.
+    """
     warned = f", {warnings} warning{'' if warnings == 1 else 's'}" if warnings else ""
     if run is None or not run.finished:
         return "unfinished", "not finished"
@@ -120,10 +123,10 @@ def _verdict(run: BulkRun | None, warnings: int) -> tuple[str, str]:
 
 
 def _timestep(record: dict[str, Any], log: Path) -> float | None:
-    """Return the time step of a run [s]; None if it is unknown or changes.
+    """Return the time step of a bulk run [s]; None if it is unknown or changes.
 
-    For a user's deck, the `timestep` commands determine the time step, because a setting `timestep`
-    may have another meaning.
+    For a user's own deck, the time step is read from the log, because a setting named `timestep`
+    may have another meaning there.
     """
     if record.get("own"):
         timesteps = {run.timestep for run in read_runs(log)} if log.is_file() else set()
@@ -142,10 +145,11 @@ def _movie(folder: Path, clock: Clock) -> tuple[GrainMovie | None, list[str]]:
 
 
 def _clock(timestep: float | None, run: BulkRun | None) -> Clock:
-    """Return a function that converts a step to the time of the charts [s]; None if unknown.
+    """Return a function that converts a step number to the time in the charts [s].
 
-    A supplied deck has one time step, but its charts may count the time from a step later than 0. A
-    user's deck may have several time steps; the time then follows from the series of the run.
+    The result is None if the time is unknown. A supplied deck has one time step, but the time in
+    its charts may start at a later step than 0. A user's own deck may change its time step; the
+    time then follows from the time series of the run.
     """
     series = run.series if run else pd.DataFrame()
     timed = len(series) > 0 and {"step", "time"} <= set(series)
@@ -158,7 +162,7 @@ def _clock(timestep: float | None, run: BulkRun | None) -> Clock:
 
 
 def _log_facts(log: str, timestep: float | None) -> dict[str, str]:
-    """Return facts about contact models and time step from the log of a user's deck."""
+    """Return contact models, time step and pair style of a user's own deck, from its log."""
     facts = {}
     if models := find_models(log):
         facts["law"] = ", ".join(map(title, models))
@@ -176,7 +180,14 @@ def _facts(
     declared: dict[str, Declaration],
     log_facts: dict[str, str],
 ) -> dict[str, str]:
-    """Return the facts about a run, by name. `log_facts` are used only for a user's deck."""
+    """Return the facts about a bulk run that its section lists, by name.
+
+    Args:
+        record: Content of run.json.
+        run: Results of the run; None if they cannot be read.
+        declared: Declarations of the deck's settings.
+        log_facts: Facts from the log, which are used only for a user's own deck.
+    """
     settings, user_deck = record["settings"], record.get("own")
     facts = {"deck": record["deck"]}
     for name in _HEAD:
@@ -212,7 +223,10 @@ def _with_unit(value: str, declaration: Declaration | None) -> str:
 def _settings(
     settings: dict[str, str], declared: dict[str, Declaration], changed: dict[str, str]
 ) -> list[tuple[str, str, str]]:
-    """Return name, value with unit, and meaning of the settings. Changed settings come first."""
+    """Return the name, the value with unit and the meaning of each setting of the deck.
+
+    Settings that this run has changed come first.
+    """
     names = [name for name in settings if name not in PLACES]
     return [
         (

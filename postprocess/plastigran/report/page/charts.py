@@ -13,7 +13,7 @@ from plotly.subplots import make_subplots
 
 from plastigran.plot.chart import DASHES, Curve, Panel, is_below
 
-#: Height of the upper of two panels as a fraction of the height of the chart.
+#: In a chart of two panels: height of the upper panel / height of the chart.
 UPPER = 0.76
 #: Settings of plotly for each value of `Curve.look`: mode, marker and line.
 LOOKS = {
@@ -32,7 +32,7 @@ class Chart:
 
     Attributes:
         name: Name of the chart, unique in its section.
-        views: Views of the chart, by their words in the menu. A view has one or two panels, which
+        views: Views of the chart, by their names in the menu. A view has one or two panels, which
             share the x axis.
         description: Description for screen readers.
         caption: One or two sentences below the chart.
@@ -62,7 +62,7 @@ class Chart:
 
 
 def draw(panels: Sequence[Panel], by_time: bool = False) -> go.Figure:
-    """Draw panels, one below the other, with plotly; see `Chart`."""
+    """Draw panels one below the other with plotly; `by_time` is explained in `Chart`."""
     heights = [UPPER, 1 - UPPER] if len(panels) == 2 else None
     figure = make_subplots(
         len(panels), 1, shared_xaxes=True, row_heights=heights, vertical_spacing=0.07
@@ -100,7 +100,10 @@ def _logarithmic() -> dict[str, Any]:
 
 
 def _trace(panel: Panel, curve: Curve, by_time: bool) -> go.Scatter:
-    """Return the plotly trace of a curve; `meta` has the law or the color index for the page."""
+    """Return the plotly trace of a curve.
+
+    Its field `meta` contains the law or the color index of the curve, for the script of the page.
+    """
     numeric = curve.x.dtype.kind in "iuf"
     mode, marker, line = LOOKS[curve.look]
     if curve.look == "line":

@@ -14,10 +14,10 @@ from plastigran.experiments.record import STUDY, TABLE
 
 #: Largest depth of subfolders that are searched.
 DEPTH = 4
-#: Names of subfolders that are parts of a run and are therefore not searched.
+#: Names of subfolders that belong to the results of their parent folder and are not searched.
 _PARTS_OF_RUNS = {"runs", "frames", "figures", "deck"}
-#: Categories of results in the order of the page. The reader of a page can hide laws in results of
-#: the categories "sweep" and "tables".
+#: Categories of results in the order of the page. The reader of the page can hide single laws in
+#: results of the categories "sweep" and "tables".
 ORDER = ("sweep", "tables", "nothing", "bulk")
 #: Suffixes of the files in a folder of category "tables".
 _SUFFIXES = {".csv", ".png", ".svg", ".gif", ".in"}
@@ -39,9 +39,9 @@ class Results:
 
 
 def collect(folders: Iterable[str | Path]) -> list[Results]:
-    """Return the results in folders and subfolders.
+    """Return the results in folders and their subfolders.
 
-    They are sorted by category, then in the order of `folders`, then by start time.
+    The results are sorted by category, then in the order of `folders`, then by start time.
 
     Raises:
         ValueError: A folder does not exist, or no folder is given.
@@ -67,7 +67,7 @@ def collect(folders: Iterable[str | Path]) -> list[Results]:
 
 
 def _category(folder: Path) -> str | None:
-    """Return the category of the results in a folder (not in subfolders); None without results."""
+    """Return the category of the results in a folder, without subfolders; None without results."""
     if (folder / RECORD).is_file():
         return "bulk"
     if any((folder / name).exists() for name in (TABLE, STUDY, "runs")):

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Pack the frames of a run for the three-dimensional view of grains on the page."""
+"""Pack the frames of a bulk run for the three-dimensional view of grains on the page.
+
+A frame is a snapshot of all grains at one step.
+"""
 
 from __future__ import annotations
 
@@ -21,12 +24,12 @@ from plastigran.plot.quantities import scale
 MOST_GRAINS = 90_000
 #: Largest number of damaged files that a message names.
 MOST_NAMED = 5
-#: Percentile of the values at which the color scale ends, because a few grains may have far larger
-#: values.
+#: Percentile of the values at which the color scale ends. A few grains may have far larger values,
+#: which would leave the other grains in one color.
 SCALE_PERCENTILE = 99.5
 _LARGEST = 65535  # largest 16-bit number
-#: Quantities that can color grains. For each attribute of a frame: its name in words, and an entry
-#: of `plastigran.plot.quantities.QUANTITIES` with the same unit.
+#: Quantities that can color grains. For each attribute of a frame: its name in words, and a key of
+#: `plastigran.plot.quantities.QUANTITIES` with the same unit.
 COLOURED = {
     "plastic_work": ("plastic work", "plastic"),
     "force": ("largest contact force", "force"),
@@ -38,12 +41,12 @@ Clock = Callable[[int], float] | None
 
 @attrs.frozen(eq=False)
 class GrainMovie:
-    """Packed frames of a run.
+    """Packed frames of a bulk run; a frame is a snapshot of all grains at one step.
 
     Attributes:
         data: A line of JSON followed by 16-bit numbers, compressed by `pack`.
         frames: Number of frames.
-        colours: Quantities that can color grains: names in words by attribute.
+        colours: Quantities that can color grains: names in words by attribute of the frames.
         walls: Whether the frames have walls.
         caption: Caption of the view.
     """
@@ -56,15 +59,20 @@ class GrainMovie:
 
 
 def pack(content: bytes) -> str:
-    """Compress content with gzip and encode it in base64, for the page."""
+    """Compress `content` with gzip and encode the result in base64, for the page."""
     return base64.b64encode(gzip.compress(content, 9, mtime=0)).decode()
 
 
 def pack_movie(folder: Path, clock: Clock) -> tuple[GrainMovie | None, list[str]]:
-    """Pack the frames of a run.
+    """Pack the frames (snapshots of all grains) of a bulk run.
+
+    Args:
+        folder: Folder of the run.
+        clock: Conversion of step numbers to times; see `Clock`.
 
     Returns:
-        The movie, or None if there are no frames; and a list with a sentence if frames are damaged.
+        The movie, or None if there are no frames. Also a list with a sentence for the page if
+        frames are damaged; otherwise an empty list.
 
     Raises:
         SnapshotError: A frame lacks a column, no frame has grains, or pyvista is not installed.
@@ -106,8 +114,8 @@ def _without_damaged_ends(files: list[Frame]) -> tuple[list[Frame], int, list[Pa
     """Remove damaged frames from both ends of a list of frames.
 
     Returns:
-        The remaining frames, the larger number of grains in the first and last of these frames, and
-        the damaged files.
+        The remaining frames; the number of grains in the first or in the last of these frames,
+        whichever is larger; and the damaged files.
     """
     most, damaged = 0, []
     for end in (-1, 0):
@@ -122,7 +130,7 @@ def _without_damaged_ends(files: list[Frame]) -> tuple[list[Frame], int, list[Pa
 
 
 def _left_out(damaged: list[Path]) -> list[str]:
-    """Return a sentence that names the files of damaged frames."""
+    """Return a list with a sentence that names the files of damaged frames, if there are any."""
     names = sorted({path.name for path in damaged}, key=lambda name: (len(name), name))
     if not names:
         return []
@@ -135,10 +143,16 @@ def _left_out(damaged: list[Path]) -> list[str]:
 
 
 def _select(files: list[Frame], most: int) -> tuple[list[Frame], int]:
-    """Select frames with at most `MOST_GRAINS` grains in total, including the first and last.
+    """Select frames so that the page contains at most `MOST_GRAINS` grains in total.
 
-    A frame has up to `most` grains. The function also returns a stride: the page contains every
-    `stride`-th grain. The stride exceeds 1 only if one frame has more than `MOST_GRAINS` grains.
+    Args:
+        files: All undamaged frames.
+        most: Largest number of grains of a frame.
+
+    Returns:
+        Selected frames, including the first and the last; and the stride of the grains. The page
+        contains every `stride`-th grain. The stride exceeds 1 only if one frame has more than
+        `MOST_GRAINS` grains.
     """
     count = max(1, MOST_GRAINS // max(most, 1))
     stride = max(1, -(-most // MOST_GRAINS))
@@ -157,7 +171,7 @@ def _thin(frame: GrainFrame, stride: int) -> GrainFrame:
 
 
 def _numbers(frames: Sequence[GrainFrame], colours: list[str], clock: Clock) -> bytes:
-    """Return frames as a line of JSON and 16-bit numbers; `unpackFrames` in movie.js reads them."""
+    """Encode frames as a line of JSON and 16-bit numbers, for `unpackFrames` in movie.js."""
     corners = np.concatenate([np.r_[f.positions, f.walls.reshape(-1, 3)] for f in frames])
     low, size = corners.min(axis=0), max(float(np.ptp(corners, axis=0).max()), 1e-300)
     radius = max(float(f.radii.max(initial=0)) for f in frames) or 1.0
@@ -193,7 +207,7 @@ def _numbers(frames: Sequence[GrainFrame], colours: list[str], clock: Clock) -> 
 
 
 def _colour(name: str, frames: Sequence[GrainFrame], top: float) -> dict:
-    """Return the name, unit and color range of a quantity for the page."""
+    """Return the name, the unit and the color range of a quantity that colors the grains."""
     values = np.concatenate([getattr(frame, name) for frame in frames])
     end = (float(np.percentile(values, SCALE_PERCENTILE)) if values.size else 0.0) or top or 1.0
     title, column = COLOURED[name]

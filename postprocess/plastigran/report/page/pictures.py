@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figures that earlier commands wrote, encoded for a page."""
+"""Figures that earlier commands wrote, encoded for the HTML page."""
 
 from __future__ import annotations
 
@@ -12,7 +12,8 @@ from xml.etree import ElementTree
 import attrs
 from PIL import Image, ImageSequence
 
-#: Largest SVG file in a page [bytes]. If an SVG file is larger, the page contains the bitmap.
+#: Largest SVG file in a page [bytes]. If an SVG file is larger, the page contains the bitmap of the
+#: same figure.
 LARGEST_SVG = 120_000
 #: Largest bitmap in a page [bytes].
 LARGEST_BITMAP = 500_000
@@ -31,7 +32,7 @@ class Picture:
     Attributes:
         name: Name of the file without suffix, in words.
         source: Content of the file as a data URL.
-        light: Whether the background is white. The page darkens such a figure in its dark mode.
+        light: Whether the background is white. The dark mode of the page darkens such figures.
         wide: Whether the figure takes the full width of the page.
     """
 
@@ -42,10 +43,10 @@ class Picture:
 
 
 def read_pictures(folder: Path, replaced: Collection[str] = ()) -> tuple[list[Picture], list[str]]:
-    """Return the figures in a folder, and sentences about omitted figures.
+    """Return the figures in a folder for the page, and sentences about figures that are left out.
 
-    `replaced` are names (without suffix) of figures that the page shows as interactive charts or as
-    the view of grains.
+    `replaced` are names (without suffix) of figures that are not needed, because the page has an
+    interactive chart or the view of grains instead.
     """
     if not folder.is_dir():
         return [], []
@@ -78,7 +79,11 @@ def _choose(folder: Path, stem: str) -> Path | None:
 
 
 def _is_wide(file: Path) -> bool:
-    """Return whether a picture is wide. Read the whole file; a damaged file raises `_DAMAGE`."""
+    """Return whether a picture is wide; the whole file is read to detect damage.
+
+    Raises:
+        One of `_DAMAGE`: The file is damaged.
+    """
     if file.suffix == ".svg":
         content = file.read_bytes()
         ElementTree.fromstring(content)

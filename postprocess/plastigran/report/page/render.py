@@ -64,7 +64,7 @@ def write_report(
 
 
 def _replace(path: Path, text: str) -> None:
-    """Write a temporary file and rename it, so that `path` never has an incomplete file."""
+    """Write a temporary file and rename it, so that the file `path` is never incomplete."""
     path = path.resolve()  # replace the target of a symbolic link, not the link
     draft = path.with_name(f".{path.name}.{os.getpid()}.new")
     try:
@@ -82,7 +82,7 @@ def _replace(path: Path, text: str) -> None:
 def _check_page(path: Path, force: bool) -> None:
     """Check that the name ends in .html. Without `force`, only a report may be overwritten."""
     if path.suffix != ".html":
-        raise ValueError(f"{path} cannot be a page: its name must end in .html")
+        raise ValueError(f"{path} cannot be a report: its name must end in .html. Rename it")
     if path.exists() and not force:
         if not path.is_file() or GENERATOR not in path.read_text(errors="replace")[:2000]:
             raise ValueError(

@@ -24,9 +24,9 @@ class Table:
         title: Title of the table.
         head: Names of the columns.
         rows: Texts of the cells, by row.
-        laws: Law of each row, or None. The page hides the rows of a law that the reader switches
-            off.
-        open: Whether the page shows the table unfolded at first.
+        laws: Name of the law of each row; None if rows do not belong to laws. The page hides the
+            rows of a law that the reader switches off.
+        open: Whether the table is unfolded when the page opens.
     """
 
     title: str
@@ -91,7 +91,7 @@ def empty_section(results: Results) -> Section:
 
 
 def cells(table: pd.DataFrame, title: str, heads: dict[str, str] | None = None) -> Table:
-    """Return a table of texts. `heads` are column titles that replace column names."""
+    """Convert a table to texts for the page. `heads` are titles that replace column names."""
     rows = [[number(value) for value in row] for row in table.itertuples(index=False)]
     laws = [str(law) for law in table["law"]] if "law" in table else None
     head = [(heads or {}).get(str(name), str(name)) for name in table]
@@ -99,7 +99,7 @@ def cells(table: pd.DataFrame, title: str, heads: dict[str, str] | None = None) 
 
 
 def number(value: object) -> str:
-    """Return a value as text for a table cell: four digits, with powers of ten as superscripts."""
+    """Format a value for a table cell: four digits, and powers of ten with superscripts."""
     if isinstance(value, bool | np.bool_):
         return "yes" if value else "no"
     if not isinstance(value, int | float | np.integer | np.floating):
@@ -114,12 +114,12 @@ def number(value: object) -> str:
 
 
 def span(smallest: float, largest: float) -> str:
-    """Return a range of numbers as text, or the number if both ends are equal."""
+    """Format a range of numbers as text, or as one number if both ends are equal."""
     return " to ".join(dict.fromkeys(number(float(end)) for end in (smallest, largest)))
 
 
 def version_facts(versions: dict[str, str]) -> dict[str, str]:
-    """Return shortened versions of the programs, long enough to distinguish two runs."""
+    """Return the versions of the programs of a run, shortened for the page, by program."""
     facts = {}
     for name, text in versions.items():
         if name == "plugin" and " sha256 " in text:

@@ -26,19 +26,19 @@ from plastigran.plot.chart import DASHES
 from plastigran.plot.quantities import PREDICTED, words
 from plastigran.report.page.charts import Chart
 
-#: Relative difference below which two radii or two speeds count as equal. Trajectory files have 17
-#: digits.
+#: Relative difference below which two radii or two speeds count as equal. It is far above the
+#: round-off of trajectory files, which have 17 digits.
 TOLERANCE = 1e-9
-#: Columns of the results table whose values are part of the name of the folder of a run.
+#: Columns of the results table whose values form the folder name of a LIGGGHTS run.
 LABELLED = ("geometry", "material", "law", "wall", "options")
 #: Largest number of points in the curve of a force-overlap loop.
 LOOP_POINTS = 80
 
 
 def measured_chart(table: pd.DataFrame, materials: Mapping[str, Material]) -> Chart | None:
-    """Return the chart of quantities that have a prediction, or None without predictions.
+    """Return the chart of measured quantities and their theoretical values; None without theory.
 
-    `materials` are the materials that the sweep recorded, by name, as for `central_case`.
+    `materials` are the materials that the sweep recorded, by name.
     """
     abscissa = _abscissa(table)
     quantities = [
@@ -65,7 +65,11 @@ def measured_chart(table: pd.DataFrame, materials: Mapping[str, Material]) -> Ch
 
 
 def _abscissa(table: pd.DataFrame) -> str | None:
-    """Return the column of the x axis: the number with most values, or a text if none varies."""
+    """Return the column of the x axis.
+
+    The x axis is the numeric column with the most different values. If no number varies, it is a
+    column of texts that varies, such as the material.
+    """
     numbers = [name for name in ("speed", "angle", "incident_angle", "radius") if name in table]
     others = [name for name in ("geometry", "material", "wall", "options") if name in table]
     counts = {name: table[name].nunique() for name in numbers + others}
@@ -76,7 +80,7 @@ def _abscissa(table: pd.DataFrame) -> str | None:
 
 
 def _dash_legend(table: pd.DataFrame, abscissa: str) -> str:
-    """Return a sentence that explains the line styles, or "" if there is only one."""
+    """Return a sentence that explains the line styles, or "" if there is only one style."""
     styles = line_styles(curve_groups(table, abscissa))
     legend = [f"{DASHES[dash][2]} {others}" for others, dash in styles.items()]
     return f" Lines: {'; '.join(legend)}." if len(legend) > 1 else ""
@@ -85,8 +89,8 @@ def _dash_legend(table: pd.DataFrame, abscissa: str) -> str:
 def loops_chart(folder: Path, table: pd.DataFrame) -> tuple[Chart | None, list[str]]:
     """Return the chart of force versus overlap, with a view for each speed and a loop for each law.
 
-    The chart is None without trajectories. The returned list has a sentence if some trajectories
-    cannot be read.
+    The chart is None if the sweep has no trajectories. The second result is a list with a sentence
+    for the page if trajectories cannot be read; otherwise it is empty.
     """
     loops, damaged = [], []
     if not {"geometry", "law", "speed", "material", "radius"} <= set(table):
@@ -114,7 +118,9 @@ def loops_chart(folder: Path, table: pd.DataFrame) -> tuple[Chart | None, list[s
 
 
 def _loop(trajectory: Path, table: pd.DataFrame) -> list[tuple[pd.Series, pd.DataFrame]]:
-    """Return the row of an impact in the table and its loop; [] if the table lacks the impact.
+    """Return the table row and the force-overlap loop of the impact of a trajectory.
+
+    The result is empty if the table does not contain the impact.
 
     Raises:
         CollisionError, DumpError, TruncatedFileWarning: The trajectory is damaged.

@@ -84,7 +84,7 @@ def make(results: Results) -> Section:
 
 
 def _read_table(path: Path) -> tuple[pd.DataFrame, list[str]]:
-    """Return the results table, and sentences if the table is missing or incomplete."""
+    """Return the results table of a sweep, and sentences if the table is missing or incomplete."""
     if not path.is_file() or not path.stat().st_size:
         return pd.DataFrame(), [f"{TABLE} is missing or empty: no impact has finished."]
     try:
@@ -97,7 +97,7 @@ def _read_table(path: Path) -> tuple[pd.DataFrame, list[str]]:
 
 
 def _materials(study: dict) -> tuple[dict[str, Material], list[str]]:
-    """Return the recorded materials by name, and a sentence for each unreadable material."""
+    """Return the materials that the sweep recorded, and a sentence for each unreadable material."""
     materials, damaged = {}, []
     recorded = study.get("materials")
     for name, values in recorded.items() if isinstance(recorded, dict) else ():
@@ -109,7 +109,7 @@ def _materials(study: dict) -> tuple[dict[str, Material], list[str]]:
 
 
 def _head(column: str) -> str:
-    """Return the header of a column of the results table: name and unit."""
+    """Return the title of a column of the results table: name and unit of the quantity."""
     measured = column.removesuffix(PREDICTED)
     name, unit = QUANTITIES.get(measured, (words(measured), ""))
     head = HEADS.get(column, HEADS.get(measured, f"{name}\n{unit}"))
@@ -139,7 +139,7 @@ def _impacts(count: int) -> str:
 def _charts(
     folder: Path, table: pd.DataFrame, materials: Mapping[str, Material], by_law: list[Trust]
 ) -> tuple[list[Chart], list[str]]:
-    """Return the charts of a sweep, and a sentence if trajectories cannot be read."""
+    """Return the charts of a sweep, and a list with a sentence if trajectories cannot be read."""
     if not len(table):
         return [], []
     loops, damaged = loops_chart(folder, table)
@@ -153,7 +153,7 @@ def _charts(
 
 
 def _has_usual(table: pd.DataFrame) -> bool:
-    """Return whether some impacts have no metal wall and use the default options of the law."""
+    """Return whether any impact has no metal wall and uses the default options of the law."""
     usual = pd.Series(True, table.index)
     if "wall" in table:
         usual &= table["wall"].isin(WALLS)
@@ -163,7 +163,7 @@ def _has_usual(table: pd.DataFrame) -> bool:
 
 
 def _errors(runs: list[Path]) -> list[str]:
-    """Return sentences with the error messages of LIGGGHTS, each message once."""
+    """Return sentences with the error messages of LIGGGHTS in the runs, each message once."""
     errors: dict[str, str] = {}
     for run in runs:
         log = log_path(run)
@@ -191,7 +191,7 @@ def _facts(study: dict, table: pd.DataFrame, runs: list[Path]) -> dict[str, str]
             continue
         values = table[name].unique()
         if name == "wall" and len(values) > 1:
-            # Omit the entry `NO_WALL` of impacts between two spheres.
+            # Omit `NO_WALL`, which stands for an impact between two spheres.
             values = [wall for wall in values if wall != NO_WALL]
         unit = {"radius": " m", "speed": " m/s", "angle": "°"}.get(name, "")
         if table[name].dtype.kind in "if":

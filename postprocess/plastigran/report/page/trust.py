@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Verification and validation of the laws of a sweep.
+"""Verification and validation of the laws in a sweep of impacts.
 
-Verification compares runs of LIGGGHTS with the equations of the law. Validation compares the law
+Verification compares impacts in LIGGGHTS with the equations of the law. Validation compares the law
 with finite-element computations of spheres. `plastigran validate` computes the errors of the
 validation.
 """
@@ -38,9 +38,9 @@ class Trust:
 
     Attributes:
         law: Name of the law.
-        verified: Largest relative difference between runs and theory, by quantity.
-        validated: Root-mean-square and largest error of the law, compared with finite elements at
-            the speeds of the sweep, by quantity.
+        verified: Largest relative difference between LIGGGHTS and theory, by quantity.
+        validated: Root mean square error and largest error of the law relative to finite elements
+            at the speeds of the sweep, by quantity.
         unknown_materials: Materials whose constants are not available. Errors with these materials
             are unknown.
         not_validated: Impacts whose error is unknown, because they are faster than the
@@ -62,7 +62,7 @@ class Trust:
 def trust(table: pd.DataFrame, materials: Mapping[str, Material]) -> list[Trust]:
     """Return the known errors of each law in the results table of a sweep.
 
-    `materials` are the materials that the sweep recorded, by name, as for `central_case`.
+    `materials` are the materials that the sweep recorded, by name.
     """
     if "law" not in table:
         return []
@@ -83,7 +83,7 @@ def trust(table: pd.DataFrame, materials: Mapping[str, Material]) -> list[Trust]
 
 
 def _difference(rows: pd.DataFrame, quantity: str) -> pd.Series:
-    """Return the absolute relative difference between runs and theory, for each row."""
+    """Return the absolute relative difference between LIGGGHTS and theory, for each impact."""
     return (rows[quantity] / rows[f"{quantity}{PREDICTED}"] - 1).abs()
 
 
@@ -97,9 +97,15 @@ def _verified(rows: pd.DataFrame, quantity: str) -> float | None:
 def _validated(
     rows: pd.DataFrame, materials: Mapping[str, Material]
 ) -> tuple[Errors, list[str], list[str]]:
-    """Return errors by quantity, unavailable materials, and impacts whose error is unknown.
+    """Return the errors of a law relative to finite elements, for the impacts of a sweep.
 
-    The error of a quantity is the largest error over all groups of impacts that cause yield.
+    Args:
+        rows: Rows of the results table with this law.
+        materials: Materials that the sweep recorded, by name.
+
+    Returns:
+        Errors by quantity, names of materials without constants, and impacts whose error is
+        unknown. The error of a quantity is the largest of all groups of impacts that cause yield.
     """
     errors, unknown_materials, not_validated = [], [], []
     if {"speed_ratio", "material", "geometry", "radius"} <= set(rows):
@@ -129,7 +135,7 @@ def _validated(
 
 
 def _describe(case: CentralImpact) -> str:
-    """Return the material of an impact in words, with the metal wall and the options if any."""
+    """Describe the material of an impact in words, with the metal wall and the options if any."""
     wall = f" {on_wall(case.wall_name)}" if case.wall else ""
     return f"{title(case.material.name)}{wall}{f', {case.options}' if case.options else ''}"
 
@@ -137,8 +143,8 @@ def _describe(case: CentralImpact) -> str:
 def _expected_error(fastest: CentralImpact, ratios: pd.Series) -> ExpectedError:
     """Return the expected error of a law for impact speeds up to the speed of `fastest`.
 
-    The error is unknown for options of a law and for metal walls. The available errors are those of
-    laws with default options, compared with finite elements of spheres on a rigid plane.
+    The finite elements are spheres on a rigid plane, and the laws have their default options. For
+    other options or a metal wall, the error is unknown. `ratios` are impact speeds / yield speed.
     """
     ends = ratios.min(), ratios.max()
     if fastest.options or fastest.wall:
@@ -150,7 +156,7 @@ def _expected_error(fastest: CentralImpact, ratios: pd.Series) -> ExpectedError:
 
 
 def verification_chart(table: pd.DataFrame) -> Chart | None:
-    """Return the chart of differences between runs and theory; None if no law has a yield speed."""
+    """Return the chart of differences between LIGGGHTS and theory; None if no law yields."""
     if "speed_ratio" not in table or table["speed_ratio"].isna().all():
         return None
     yielding = table.dropna(subset=["speed_ratio"]).sort_values("speed_ratio")
@@ -159,7 +165,7 @@ def verification_chart(table: pd.DataFrame) -> Chart | None:
         if f"{quantity}{PREDICTED}" in table:
             difference = _difference(yielding, quantity)
             remarks = [
-                f"v/v<sub>Y</sub> {ratio:.3g}<br>run and theory differ by {100 * value:.2g} %"
+                f"v/v<sub>Y</sub> {ratio:.3g}<br>LIGGGHTS and theory differ by {100 * value:.2g} %"
                 for ratio, value in zip(yielding["speed_ratio"], difference, strict=True)
             ]
             shown = difference.clip(lower=ERROR_AXIS[0] / 100)
@@ -170,15 +176,15 @@ def verification_chart(table: pd.DataFrame) -> Chart | None:
     return Chart(
         name="verification",
         views=views,
-        description="difference between runs of LIGGGHTS and the theory of the law, versus speed",
-        caption="Verification: difference between runs of LIGGGHTS and the equations of their law. "
-        "It is the error of the code and of the time step.",
+        description="difference between impacts in LIGGGHTS and the law's theory, versus speed",
+        caption="Verification: difference between LIGGGHTS and the equations of the law. "
+        "This difference is the error of the code and of the time step.",
         menu="Quantity",
     )
 
 
 def validation_chart(table: pd.DataFrame) -> Chart | None:
-    """Return the chart of errors of laws, compared with finite elements; None without errors.
+    """Return the chart of the errors of laws relative to finite elements; None without errors.
 
     `table` has the columns of `plastigran.calibration.expected_errors.errors_table`.
     """
@@ -202,13 +208,17 @@ def validation_chart(table: pd.DataFrame) -> Chart | None:
         views=views,
         description="error of each law compared with finite elements of spheres, versus speed",
         caption="Validation: root mean square difference between the law and finite elements of "
-        "spheres of many metals. It is the error of the law, however accurate the run.",
+        "spheres of many metals. This error of the law does not depend on the time step.",
         menu="Quantity and metal",
     )
 
 
 def _panels(errors: pd.DataFrame) -> list[Panel]:
-    """Return a panel of a table with columns law, ratio (speed / yield speed), error and remark."""
+    """Return a panel of a chart: error versus impact speed / yield speed, one curve per law.
+
+    `errors` is a table with the columns law, ratio (impact speed / yield speed), error [%] and
+    remark (text under the mouse pointer).
+    """
     curves = [
         Curve(
             x=rows["ratio"].to_numpy(),
