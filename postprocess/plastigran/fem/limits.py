@@ -112,7 +112,7 @@ def check_reach(
     Args:
         sphere: Sphere.
         reach: Largest contact radius, m.
-        cause: What causes this contact radius, for messages; such as "a force of 3 N".
+        cause: Cause of this contact radius, for messages; such as "a force of 3 N".
         largest: Largest allowed a/R.
         strain: "small", which warns of large a/R, or "finite".
 

@@ -2,14 +2,13 @@
 """Contact of a rigid circle with the surface of a body: penalty method, Coulomb friction.
 
 The contact forces act at the Gauss points of the surface. The center of the circle adds two degrees
-of freedom; the circle does not rotate. The method is that of Wriggers (Computational Contact
-Mechanics, 2006, sec. 5.2):
+of freedom; the circle does not rotate. The method follows Wriggers (Computational Contact
+Mechanics, 2006, sec. 5.2).
 
-- d is the vector from the center of the circle to a point of the deformed surface, n = d/|d| is
-  the normal, and g = |d| - R is the gap, with the radius R.
-- The pressure is p = k max(-g, 0) along n, with the penalty stiffness k.
-- The trial shear traction, along the tangent, is the shear traction of the last equilibrium minus
-  k times the slip since then. The coefficient of friction mu limits the shear traction to mu p.
+Let d be the vector from the center of the circle to a point of the deformed surface. The normal is
+n = d/|d|, and the gap is g = |d| - R, with the radius R. The pressure is p = k max(-g, 0) along n,
+with the penalty stiffness k. The trial shear traction is the shear traction of the last equilibrium
+minus k times the slip since then. The coefficient of friction mu limits the shear traction to mu p.
 """
 
 from __future__ import annotations

@@ -62,7 +62,7 @@ class SmallStrain:
     def tangent(
         self, measure: np.ndarray, response: Response, elastic_tangent: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
-        """Return the tangents of the points whose tangent is not that of the undeformed body.
+        """Return the tangents of all points at which the tangent has changed by deformation.
 
         Returns:
             Indices of these points (k,), and their tangents d(conjugate stress)/d(measure)

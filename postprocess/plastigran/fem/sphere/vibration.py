@@ -31,17 +31,17 @@ class Vibration:
         radius: Radius of the sphere, m.
         speed: Impact speed, m/s.
         timestep: Time step, s.
-        history: Table with one row per time step: time s, force N (mean over the step that ends at
-            this time), approach m (of the center of mass), velocity m/s (of the center of mass,
-            upward), contact_radius m, kinetic_energy J, centre_kinetic_energy J (of the motion of
-            the center of mass), elastic_energy J, penalty_energy J and middle_elastic_energy J.
-            middle_elastic_energy is the elastic energy at the mean displacement of the step; this
-            mean filters vibrations that the steps do not resolve. Further columns are
+        history: Table with one row per time step. Columns are time s, force N (mean over the step
+            that ends at this time) and contact_radius m. Columns of the center of mass are approach
+            m, velocity m/s (upward) and centre_kinetic_energy J. Columns of the whole body are
+            kinetic_energy, elastic_energy, penalty_energy and middle_elastic_energy J. The last is
+            the elastic energy at the mean displacement of the step; this mean filters vibrations
+            that the steps do not resolve. Displacements relative to the center of mass are
             top_displacement m (upward, of the pole far from the plane) and equator_displacement m
-            (outward), relative to the center of mass.
-        modes: Table with one row for each of the lowest vibration modes of the mesh: frequency Hz,
-            energy J at the end, and contact_displacement kg^-1/2, which is the normal displacement
-            at the contact point for unit modal mass.
+            (outward).
+        modes: Table with one row for each of the lowest vibration modes of the mesh. Columns are
+            frequency Hz, energy J at the end, and contact_displacement kg^-1/2: the normal
+            displacement at the contact point for unit modal mass.
         coefficient_of_restitution: Momentum after the impact / momentum before the impact.
         kinetic_restitution: Square root of the mean kinetic energy in flight / kinetic energy
             before the impact. It counts half of the vibration energy as rebound.
