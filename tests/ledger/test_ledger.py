@@ -171,7 +171,7 @@ def test_ranks_have_the_same_terms(bed, ranks, grid, tmp_path):
     ("deck", "message"),
     [
         ("newton_on", "`newton on` is not supported"),
-        ("wall_alone", "the pair_style line must have it too"),
+        ("wall_alone", "a wall has this setting, so the pair_style line needs it too"),
     ],
 )
 def test_unsupported_decks_are_refused(deck, message, tmp_path):

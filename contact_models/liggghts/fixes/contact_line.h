@@ -41,7 +41,7 @@ ContactLines read_restart_text(const std::string& text);
 [[noreturn]] void refuse_other_models(LAMMPS_NS::LAMMPS* engine, const std::string& owner,
                                       const std::string& restarted, const std::string& models);
 
-// Returns the constants to print in the log, with the owners that they apply to.
+// Returns the constants to print in the log, with the pair style and walls to which they apply.
 std::string constants_report(const ContactLines& lines);
 
 // Describes the first pair of atom types whose constants differ: "`...` is now `...`". Returns an

@@ -48,8 +48,8 @@ std::string HistoryKeeper::restarted_lines(LAMMPS_NS::LAMMPS* engine) {
 
 void HistoryKeeper::connect(const std::string& owner, const ContactLine& line) {
   ContactLine& connected = connected_[owner];
-  // The line may have been registered before a run that had no setup. Keep the report that this run
-  // did not print.
+  // The line may have been registered before a run that had no setup. Keep the report of its
+  // constants, because that run did not print it.
   const std::string earlier = std::exchange(connected, line).report;
   if (line.report.empty()) connected.report = earlier;
   const auto entry = restarted_.find(owner);
@@ -145,7 +145,8 @@ void HistoryKeeper::setup_pre_exchange() {
     for (const std::string& id : line.histories)
       if (const LAMMPS_NS::Fix* const fix = modify->find_fix_id(id.c_str()))
         line.position = primitive_wall_position(lmp, fix);
-  // Nothing is stored before the first run, which may follow a restart.
+  // No histories are stored before the first run. If this run follows a restart, clear only the
+  // histories of walls that have moved since the restart file was written.
   if (stored_.empty())
     clear_moved_walls(former);
   else

@@ -10,13 +10,13 @@
 
 namespace plastigran {
 
-// Base class by which HistoryKeeper recognizes these fixes.
+// Base class by which HistoryKeeper recognizes fixes of the class KeptFix.
 struct AnyKeptFix {
   virtual ~AnyKeptFix() = default;
 };
 
 // Fix of the LIGGGHTS class `Base`. LIGGGHTS deletes the fix if the deck repeats the `pair_style`
-// or wall line.
+// or wall line. HistoryKeeper copies the histories before that.
 template <class Base>
 class KeptFix : public Base, public AnyKeptFix {
  public:

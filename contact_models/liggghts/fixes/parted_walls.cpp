@@ -19,7 +19,7 @@ void PartedWalls::pre_neighbor() {
     const auto state = states_.find(std::string("fix ") + wall->id);
     LAMMPS_NS::Fix* const fix = modify->find_fix_id((std::string("history_") + wall->id).c_str());
     if (!fix || state == states_.end()) continue;
-    // Surface model multicontact also stores surface positions in the history. They stay valid
+    // The surface model multicontact also stores surface positions in the history. They stay valid
     // between contacts, so only the state of the law is cleared.
     const bool keeps_surfaces = wall->contact_match("surface", "multicontact");
     const auto [first, count] = keeps_surfaces ? state->second : std::pair(0, wall->dnum());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Identification of particles between two runs, in which a deck may renumber particles
-// (delete_atoms, create_atoms) and move them to other ranks (displace_atoms, change_box).
+// Identification of particles from one run to the next. Between two runs, a deck may renumber
+// particles (delete_atoms, create_atoms) and move them to other ranks (displace_atoms, change_box).
 #pragma once
 
 #include <mpi.h>

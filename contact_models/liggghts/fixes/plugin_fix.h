@@ -40,7 +40,8 @@ class PluginFix : public LAMMPS_NS::Fix {
   }
 
  protected:
-  // Writes the state for restart() on rank 0. LIGGGHTS expects the size before the data.
+  // Writes the state that restart() reads to the restart file, on rank 0. LIGGGHTS expects the size
+  // before the data.
   void write_state(FILE* file, const void* state, int size) const {
     if (comm->me != 0) return;
     fwrite(&size, sizeof size, 1, file);

@@ -15,7 +15,8 @@ namespace plastigran {
 
 class RangeCheck : public PluginFix {
  public:
-  // Counts of one model on this rank. The members declared here are used only on rank 0.
+  // Contacts of one model beyond the validity range of its law, counted on this rank. The members
+  // declared here are used only on rank 0.
   struct Excess : RangeAccount {
     const char* range = "";
     double all_contacts = 0;                // number of contacts beyond the range on all ranks
@@ -32,7 +33,8 @@ class RangeCheck : public PluginFix {
   static const char* id() { return "plastigran_range"; }
   static const char* style() { return "plastigran/range"; }
 
-  // Returns the account of a model's contacts beyond its range; adds the fix if needed. Collective.
+  // Returns the counts of a model's contacts beyond the validity range `range`; adds the fix if
+  // needed. Collective.
   static Excess* of(LAMMPS_NS::LAMMPS* engine, const std::string& model, const char* range);
 
   int setmask() override;

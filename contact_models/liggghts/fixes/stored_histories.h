@@ -63,12 +63,12 @@ class StoredHistories {
   bool has_partners_, of_pairs_;
 };
 
-// Returns a hash of the geometry of the primitive wall with these histories; 0 for meshes and
-// pairs.
+// Returns a hash of the geometry of the primitive wall to which `histories` belongs; 0 for meshes
+// and pairs.
 std::uint64_t primitive_wall_position(LAMMPS_NS::LAMMPS* engine, const LAMMPS_NS::Fix* histories);
 
-// Returns a hash of the geometry of the primitive wall or mesh with these histories; 0 for pairs.
-// Collective.
+// Returns a hash of the geometry of the primitive wall or mesh to which `histories` belongs; 0 for
+// pairs. Collective.
 std::uint64_t wall_position(LAMMPS_NS::LAMMPS* engine, const LAMMPS_NS::Fix* histories);
 
 }  // namespace plastigran

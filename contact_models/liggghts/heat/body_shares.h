@@ -23,7 +23,8 @@ class BodyShares {
   // `caller`.
   std::string describe(const std::string& caller) const;
 
-  // Returns the possible misspellings among the properties, as DeckProperties::misspellings() does.
+  // Returns warnings of possible misspellings of properties, as DeckProperties::misspellings()
+  // does.
   const std::vector<std::string>& misspellings() const { return misspellings_; }
 
   // Returns the fraction of the plastic work in the body of atom type `type`: 1 if its yield

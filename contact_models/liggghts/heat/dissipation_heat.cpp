@@ -30,7 +30,8 @@ void DissipationHeat::init() {
   ContactObserver::init();
   for (const DissipationHeat* const other : fixes_of<DissipationHeat>(modify))
     if (other != this)
-      fail(std::string("fix ") + other->id + " heats the particles already. Remove one of the two");
+      fail(std::string("fix ") + other->id +
+           " heats the particles already. Remove one of these fixes");
   const std::string caller = name();
   shares_.read(lmp, caller);
   if (!modify->find_fix_scalar_transport_equation("heattransfer"))

@@ -70,7 +70,8 @@ class AccountedContact : private ContactSetup, public LIGGGHTS::ContactModels::C
   void postSettings(LIGGGHTS::IContactHistorySetup* owner) {
     if (this->is_wall()) refuse_replacement(engine_);
     Base::postSettings(owner);
-    // Only pairs open the ledger, because LIGGGHTS cannot add a fix while it creates a wall.
+    // Only a pair style adds the energy ledger, because LIGGGHTS cannot add a fix while it creates
+    // a wall.
     if (requests_ledger_ && !this->is_wall()) EnergyLedger::open(engine_);
   }
 
@@ -118,7 +119,8 @@ class AccountedContact : private ContactSetup, public LIGGGHTS::ContactModels::C
       contact.has_force_update = true;
     }
     if (!in_contact(contact)) Base::surfacesClose(contact, on_i, on_j);
-    // Set a valid overlap, because LIGGGHTS next computes the heat flux from the wall with it.
+    // Do not leave the overlap negative, because LIGGGHTS next computes the heat flux from the wall
+    // with this overlap.
     if (this->is_wall()) contact.deltan = std::max(0.0, contact.deltan);
   }
 
@@ -131,7 +133,8 @@ class AccountedContact : private ContactSetup, public LIGGGHTS::ContactModels::C
   void compute_and_count(Contact& contact, AccountedLoad& on_i, Load& on_j) {
     compute_with_energies(contact, on_i, on_j);
     if (ledger_) ledger_->add(contact, on_i, on_j);
-    // `run 0` does not advance the contacts, so the next setup reports the same energies again.
+    // Do not report the contacts of `run 0` to the observers: this run does not advance the
+    // contacts, so the next setup reports the same energies again.
     if (!contact.shearupdate && engine_->update->nsteps == 0) return;
     for (ContactObserver* const observer : observers_) observer->add(contact, on_i, on_j, owner_);
   }

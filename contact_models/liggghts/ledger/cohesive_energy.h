@@ -25,7 +25,8 @@ class CohesiveEnergy {
   double of(const Contact& contact, double pull) const {
     using namespace LIGGGHTS::ContactModels;
     if (pull == 0) return 0;
-    // The area of sjkr2 is proportional to the overlap.
+    // The area of sjkr2 is proportional to the overlap, so the energy is half of force times
+    // overlap.
     if (model_ == COHESION_SJKR2) return 0.5 * pull * contact.deltan;
     return pull * integral(contact) / area(contact);
   }

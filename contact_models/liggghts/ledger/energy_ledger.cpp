@@ -28,7 +28,9 @@ EnergyLedger::EnergyLedger(LAMMPS_NS::LAMMPS* engine, int count, char** words)
 
 void EnergyLedger::open(LAMMPS_NS::LAMMPS* engine) {
   if (!engine->domain->box_exist)
-    stop(engine, "energy_ledger on: give the pair_style line after create_box");
+    stop(engine,
+         "energy_ledger on: the simulation box is missing. Move the pair_style line after "
+         "create_box");
   if (find_fix<EnergyLedger>(engine)) return;
   ensure_fix<EnergyLedger>(engine);
   // Words of fix property/atom: saved in restart files (yes), not sent to ghosts (no, no), initial
@@ -47,9 +49,9 @@ int EnergyLedger::setmask() {
 const char* EnergyLedger::complaint(const EnergyLedger* ledger, bool requested, bool is_wall) {
   if (requested && !ledger)
     return is_wall
-               ? "energy_ledger on: the pair_style line must have it too"
-               : "energy_ledger on: its fix was removed (unfix energy_ledger). Keep it, or give "
-                 "the pair_style and wall lines again without energy_ledger on";
+               ? "energy_ledger on: a wall has this setting, so the pair_style line needs it too"
+               : "energy_ledger on: its fix was removed (unfix energy_ledger). Keep this fix, or "
+                 "give the pair_style and wall lines again without energy_ledger on";
   if (ledger && !requested && !is_wall)
     return "pair_style: the line has no energy_ledger on, but an earlier line has opened the "
            "energy ledger. Add `energy_ledger on`, or close the ledger first: unfix energy_ledger, "
@@ -83,8 +85,9 @@ void EnergyLedger::init() {
   particle_plastic_work_ = find_fix<ParticlePlasticWork>(lmp);
   if (!particle_plastic_work_)
     stop(lmp,
-         "energy_ledger on: its fix plastic_work was removed (unfix plastic_work). Keep it, or "
-         "remove energy_ledger too and give the pair_style and wall lines again without it");
+         "energy_ledger on: its fix plastic_work was removed (unfix plastic_work). Keep this "
+         "fix, or also remove energy_ledger and give the pair_style and wall lines again without "
+         "energy_ledger on");
 }
 
 bool EnergyLedger::is_first_before_exchange() const {

@@ -40,10 +40,8 @@ class EnergyLedger : public PluginFix {
     FRICTION,            // work of tangential and rolling models, with springs and dashpots
     VISCOUS,             // work of the normal dashpot, and of the viscous force of a law
     WALL_WORK,           // work of moving walls on the particles
-    INSERTED,            // energy of inserted minus deleted particles, and energy changes that the
-                         // deck makes between runs
-    DRIFT,               // balance error: change of the sum of KINETIC to VISCOUS, SURFACE and
-                         // ADHESION, minus WALL_WORK and INSERTED
+    INSERTED,            // energy of inserted minus deleted particles, and changes between runs
+    DRIFT,               // balance error: change of terms 1-6, 11 and 12, minus terms 7 and 8
     TANGENTIAL_SPRINGS,  // elastic energy of tangential springs, a part of FRICTION
     SURFACE,             // surface energy of the contacts, relative to separated bodies
     ADHESION,            // energy lost when contacts with adhesion form and break

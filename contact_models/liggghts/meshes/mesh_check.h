@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Warns of two problems in contacts between a particle and a mesh, once of each. The class
-// MeshContacts cannot solve them:
+// Warns once each of two problems in contacts between a particle and a mesh. The class MeshContacts
+// cannot solve them:
 //
 //   seam   a particle has two contacts with a smooth surface, because two triangles share no edge
 //          or node: there is a gap between them, or a node of one lies on an edge of the other

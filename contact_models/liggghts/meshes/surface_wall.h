@@ -86,7 +86,8 @@ class SurfaceWall : public LIGGGHTS::Walls::Granular<Contact> {
     return offsets;
   }
 
-  // Adds a row with zero force for an overlap, because compute wall/gran/local lists all overlaps.
+  // Adds an overlap with zero force to the list of compute wall/gran/local, because this list
+  // contains all overlaps.
   void list_without_force(LAMMPS_NS::FixWallGran* wall,
                           LIGGGHTS::ContactModels::SurfacesIntersectData& contact, double* velocity,
                           int index, int id) {

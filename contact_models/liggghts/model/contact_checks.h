@@ -53,7 +53,7 @@ class ContactChecks : protected LAMMPS_NS::Pointers {
   }
 
   // Passes the times of the expected impacts to the check of the time step, and warns of impacts
-  // beyond the validity range of the law. Each setup calls it on the first rank.
+  // beyond the validity range of the law. Each setup calls this function on rank 0.
   void expect(const ImpactTimes& times, double rayleigh, bool is_wall) {
     time_step_check_->expect(model_, {times.step, times.step_speed, is_wall}, rayleigh,
                              times.hertz);

@@ -43,7 +43,7 @@ void ContactRates::connect(const DeckProperties& deck, bool rate_matters) {
   if (offset_ < 0 && rate_matters)
     deck.fail(property_name("rate_coefficient") + " must be given before " +
               (is_wall_ ? "the wall" : "the first run") +
-              ", because the size of the contact history is fixed there. Move its line up");
+              ", which sets the size of the contact history. Move the line of the property up");
 }
 
 }  // namespace plastigran

@@ -74,7 +74,8 @@ class ElastoplasticNormalModel : public NormalModelSetup<Law> {
                                   ? contact.radi
                                   : contact.radi * contact.radj / (contact.radi + contact.radj);
     TypePair& pair = pairs_(contact.itype, contact.jtype);
-    // Check again, because particles of these types may have been inserted during the run.
+    // Check again whether the law supports both atom types, because particles of these types may
+    // have been inserted during the run.
     if (!pair.refusal.empty()) checks_.refuse(pair.refusal);
     if constexpr (plastigran::can_stretch<Law>)
       if (radius_eff < least_radius_eff_) checks_.refuse(too_small(contact));
@@ -122,7 +123,8 @@ class ElastoplasticNormalModel : public NormalModelSetup<Law> {
     contact.gammat = smooth_friction_ ? 2 * std::sqrt(contact.kt * contact.meff) : 0;
     double force = response.force;
     if (settings_.viscous_damping) {
-      // Tsuji, Tanaka & Ishida 1992 (Powder Technol. 71:239), with the contact radius of the law.
+      // Normal dashpot after Tsuji, Tanaka & Ishida 1992 (Powder Technol. 71:239), with the contact
+      // radius of the law.
       const double beta =
           -1.8257418583505538 * damping_[contact.itype][contact.jtype];  // 2 sqrt(5/6)
       if (carries || !plastigran::adhesive<Law>)

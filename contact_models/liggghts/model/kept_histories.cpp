@@ -9,7 +9,8 @@ namespace plastigran {
 HistoryKeeper& keep_histories(LAMMPS_NS::LAMMPS* engine, const ContactOwner& owner,
                               const std::string& caller, const std::string& restarted_lines,
                               HistoryState state) {
-  // LIGGGHTS initializes walls when it has already listed the fixes to call in this run.
+  // LIGGGHTS initializes walls when it has already listed the fixes to call in this run. The list
+  // then lacks a fix that a wall adds.
   const bool is_late = owner.is_wall() && !find_fix<MotionCheck>(engine);
   const auto check = ensure_fix<MotionCheck>(engine);
   if (is_late) check->list_fixes_again();

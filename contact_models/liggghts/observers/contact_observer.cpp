@@ -54,7 +54,7 @@ std::string uncountable(LAMMPS_NS::LAMMPS* engine) {
   for (const std::string style : {"multisphere", "rigid"})
     if (engine->modify->n_fixes_style(style.c_str()) > 0)
       return "fix " + style + " is not supported, because contacts are counted for particles and " +
-             "not for rigid bodies. Remove one of the two";
+             "not for rigid bodies. Remove one of these fixes";
   return "";
 }
 

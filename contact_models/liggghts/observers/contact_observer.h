@@ -43,7 +43,7 @@ class ContactObserver : public PluginFix {
   static std::vector<ContactObserver*> attach(LAMMPS_NS::LAMMPS* engine, const void* owner);
 
   // Receives the loads of all models of a contact. A contact with a ghost is reported twice, once
-  // for each particle. The setup reports contacts with contact.shearupdate 0.
+  // for each particle. In reports from the setup of a run, contact.shearupdate is 0.
   virtual void add(const Contact& contact, const AccountedLoad& on_i, const Load& on_j,
                    const void* owner) = 0;
 

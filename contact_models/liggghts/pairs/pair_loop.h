@@ -76,7 +76,8 @@ class PairLoop : public LIGGGHTS::PairStyles::Granular<Contact>, private StoredE
            pair->storeSumDelta() || pair->store_sum_normal_force() || pair->fr_pair() ||
            !atom->rmass || !atom->sphere_flag || engine_->force->newton_pair ||
            engine_->modify->n_fixes_style("insert/stream/predefined") > 0 ||
-           // Fix deform moves particles before the output, which would change the stored energies.
+           // Fix deform moves particles before an output. This loop computes stored energies only
+           // when they are read, so they would belong to the moved particles.
            (models_.counts_energies() && engine_->modify->n_fixes_style("deform") > 0);
   }
 
@@ -84,7 +85,7 @@ class PairLoop : public LIGGGHTS::PairStyles::Granular<Contact>, private StoredE
   void visit_contacts() {
     const LAMMPS_NS::Atom* const atom = engine_->atom;
     const LAMMPS_NS::NeighList* const list = pair_->list;
-    // Null if contacts have no history.
+    // `histories` is null if contacts have no history.
     const LAMMPS_NS::NeighList* const histories = pair_->listgranhistory;
     const int width = pair_->dnum();
     frozen_ = pair_->freeze_group_bit();

@@ -95,8 +95,8 @@ void discard_if_foreign(LAMMPS* engine, const std::string& fix_id, const std::st
   }
   print(engine, owner.name +
                     ": the restart file has contacts of one of LIGGGHTS' own models, not of a law "
-                    "of this plugin. They begin as first loading to their current overlap, without "
-                    "tangential springs\n");
+                    "of this plugin. The contacts begin as first loading to their current overlap, "
+                    "without tangential springs\n");
 }
 
 template <class Fix>
@@ -112,7 +112,7 @@ void replace_history_fixes(LAMMPS* engine) {
   add_fix_style(modify, "contacthistory", make_history<PairHistories>);
   add_fix_style(modify, "contacthistory/mesh",
                 make_history<KeptFix<LAMMPS_NS::FixContactHistoryMesh>>);
-  // LIGGGHTS stores the histories of primitive walls in this style.
+  // LIGGGHTS stores the histories of primitive walls in fixes of this style.
   add_fix_style(modify, "property/atom", make_history<KeptFix<LAMMPS_NS::FixPropertyAtom>>);
 }
 

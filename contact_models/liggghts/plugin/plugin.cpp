@@ -3,7 +3,7 @@
 // Checks that the plugin was compiled for this LIGGGHTS. The data layout is checked when the plugin
 // is loaded, and the version at the first line with a law. With a wrong layout, pairs would work
 // but walls would crash. If LIGGGHTS was built with superquadric particles, its data structures are
-// larger. The symbol of the superquadric atom style shows whether it was.
+// larger. The plugin recognizes such a build by the symbol of the superquadric atom style.
 #include <dlfcn.h>
 #include <unistd.h>
 

@@ -65,7 +65,8 @@ bool has(const RegisteredCombination& combination, int RegisteredCombination::*p
   return combination.*place == model || combination.*place == ANY;
 }
 
-// Returns the compiled combination for these models that has the fewest ANY; null if there is none.
+// Returns the compiled combination that fits these models and has the fewest placeholders ANY; null
+// if there is none.
 const RegisteredCombination* find(const RegisteredCombination& models) {
   const RegisteredCombination* best = nullptr;
   int most = -1;
@@ -126,7 +127,8 @@ void add(const RegisteredLaw& law, const RegisteredCombination& models) {
   }
 }
 
-// Registers all combinations of a law, or those with the tangential laws only.
+// Registers a law with all combinations of other models, or only with those that contain a
+// tangential law of this plugin.
 void add_combinations(const RegisteredLaw& law, bool only_tangential_laws) {
   const auto& kinds = companion_kinds();
   for (const Companion& tangential : kinds[0].models) {

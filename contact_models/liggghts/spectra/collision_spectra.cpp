@@ -60,7 +60,8 @@ void CollisionSpectra::add(const Contact& contact, const AccountedLoad& on_i, co
     most_contacts_ = std::max(most_contacts_, ++contacts_[contact.j]);
   const bool exchanged = !contact.is_wall && atom->tag[contact.j] < atom->tag[contact.i];
   const int holder = exchanged ? contact.j : contact.i;
-  // Skip contacts whose holder is a ghost: the rank that owns the holder reports them too.
+  // The impact is stored with one of the two particles, the holder. Skip contacts whose holder is a
+  // ghost, because the rank that owns the holder reports them too.
   if (holder >= atom->nlocal) return;
   const Partner partner = contact.is_wall ? wall_partner(wall_number(owner))
                                           : atom->tag[exchanged ? contact.i : contact.j];

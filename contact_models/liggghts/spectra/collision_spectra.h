@@ -25,7 +25,7 @@ class CollisionSpectra : public ContactObserver {
  public:
   enum Quantity { NORMAL_SPEED, DISSIPATED_ENERGY, LARGEST_FORCE };
 
-  // Elements of the fix's vector f_ID[1], f_ID[2], ..., since the fix was created.
+  // Elements of the fix's vector f_ID[1], f_ID[2], ...: totals since the fix was created.
   enum Entry {
     IMPACTS,         // number of counted impacts
     CURRENT,         // number of current contacts

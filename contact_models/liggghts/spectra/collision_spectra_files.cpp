@@ -19,8 +19,8 @@ namespace {
 const char heading[] = "step,quantity,with,type,other_type,lower,upper,count,sum\n";
 const char* const quantities[] = {"normal_speed", "dissipated_energy", "largest_force"};
 
-// Largest value of per_decade. The edges of narrower classes would differ only in the last printed
-// digits.
+// Largest value of per_decade, the number of classes per factor of 10. The edges of narrower
+// classes would differ only in the last printed digits.
 const long most_per_decade = 1000;
 
 // Returns the number in `word`; 0 unless the word is a positive integer.
@@ -51,10 +51,11 @@ void CollisionSpectra::read_words(int count, char** words) {
            std::to_string(most_per_decade));
     per_decade_ = number;
   }
-  if (path_.empty()) fail("`file FILE` is missing");
+  if (path_.empty()) fail("`file FILE` is missing. Add it to the line");
   for (const CollisionSpectra* const other : fixes_of<CollisionSpectra>(modify))
     if (other->path_ == path_)
-      fail("fix " + std::string(other->id) + " writes the file " + path_ + " already");
+      fail("fix " + std::string(other->id) + " writes the file " + path_ +
+           " already. Choose another file");
   if (comm->me == 0) open(path_);
 }
 
@@ -143,7 +144,7 @@ void CollisionSpectra::restart(char* data) {
   for (std::string& wall : wall_ids_) text >> wall;
   if (per_decade != per_decade_)
     fail("the restart file has per_decade " + std::to_string(per_decade) + ", but the line has " +
-         std::to_string(per_decade_) + ". Use the value of the file, or another fix ID");
+         std::to_string(per_decade_) + ". Use the value of the restart file, or another fix ID");
   if (comm->me != 0) return;  // rank 0 takes the sums of all ranks
   impacts_ = impacts, impact_energy_ = impact_energy;
   energy_ = impact_energy + contact_energy;

@@ -58,8 +58,8 @@ class ImpactRecords {
   // Stores the particle IDs at the end of a run, because decks may renumber particles.
   void store_ids(const int* ids, int count);
 
-  // Updates partners and holders to the current IDs before the next run. If one of its particles
-  // was deleted, an impact is removed and not counted. `former_total`: number of particles on all
+  // Updates partners and holders to the current IDs before the next run. Removes an impact without
+  // counting it if one of its particles was deleted. `former_total`: number of particles on all
   // ranks at the end of the last run. Collective.
   void renumber(const int* ids, int count, long former_total, MPI_Comm ranks);
 

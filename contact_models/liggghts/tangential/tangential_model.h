@@ -42,7 +42,7 @@ int add_values(LIGGGHTS::IContactHistorySetup& setup, std::size_t k,
   return first;
 }
 
-// State values of a law in the contact history.
+// Registers the state of a tangential law in the contact history.
 template <class Law>
 struct TangentialHistory;
 
@@ -50,7 +50,7 @@ template <>
 struct TangentialHistory<Incremental> {
   static constexpr int values = 7;
   static constexpr bool has_rings = false;
-  // Returns the offset of the first value.
+  // Registers the values, and returns the offset of the first one.
   static int add(LIGGGHTS::IContactHistorySetup& setup) {
     return add_values<Incremental>(
         setup, 0,
@@ -64,7 +64,7 @@ struct TangentialHistory<PartialSlip<4>> {
   typedef PartialSlip<4> Law;
   static constexpr int values = 19;
   static constexpr bool has_rings = true;
-  // Returns the offset of the first value.
+  // Registers the values, and returns the offset of the first one.
   static int add(LIGGGHTS::IContactHistorySetup& setup) {
     const int offset =
         add_values<Law>(setup, 0,
@@ -195,7 +195,8 @@ class TangentialLawModel : public LIGGGHTS::ContactModels::TangentialModelBase {
     return {contact.vtr1, contact.vtr2, contact.vtr3};
   }
 
-  // Reads all three components before writing, so that the compiler can vectorize.
+  // Adds `value` to `sum`. Reads all three components before writing, so that the compiler can
+  // vectorize.
   static void add(const Vector3& value, double* sum) {
     const double x = sum[0] + value.x, y = sum[1] + value.y, z = sum[2] + value.z;
     sum[0] = x, sum[1] = y, sum[2] = z;
@@ -267,7 +268,7 @@ class TangentialLawModel : public LIGGGHTS::ContactModels::TangentialModelBase {
 namespace LIGGGHTS {
 namespace ContactModels {
 
-// IDs in LIGGGHTS' hash of a combination.
+// IDs of the tangential laws in LIGGGHTS' hash of a combination of models.
 constexpr int TANGENTIAL_INCREMENTAL = 40, TANGENTIAL_PARTIAL_SLIP = 41;
 
 template <>

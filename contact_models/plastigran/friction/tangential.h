@@ -77,8 +77,9 @@ PLASTIGRAN_DEVICE inline Vector3 centered_displacement(const Vector3& before,
 struct TangentialResponse {
   Vector3 force;             // along the displacement; -force acts on the first body [N]
   double stored_energy = 0;  // energy of the tangential deformation [J]
-  double friction_work = 0;  // dissipated in this step [J]; the trapezoidal rule leaves an error of
-                             // third order in the step
+  // Energy dissipated in this step [J]. The trapezoidal rule leaves an error of third order in the
+  // step.
+  double friction_work = 0;
 };
 
 // Rotation of the contact plane in a step: the shortest rotation between the two normals, followed

@@ -51,7 +51,7 @@ class RateTables {
   static constexpr bool interpolates =
       takes_rate_factor<Law> && !self_similar<Law> && !responds_stronger<Law>;
   static constexpr double largest_ratio = 1e9;  // largest rate/reference rate [-]
-  // largest factor of a table; contacts with larger factors rescale the last table
+  // Largest rate factor of a table. Contacts with larger factors rescale the last table.
   static constexpr double largest_factor = 2.5;
 
   RateTables(const MaterialPair& bodies, const typename Law::Parameters& constants) {
