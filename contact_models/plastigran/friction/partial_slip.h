@@ -25,7 +25,8 @@
 
 namespace plastigran {
 
-// `capacity` is the largest number of rings that the state can store.
+// Tangential law with partial slip. `capacity` is the largest number of rings of the contact area
+// that the state can store.
 template <int capacity = 8>
 class PartialSlip {
  public:
@@ -37,8 +38,9 @@ class PartialSlip {
   static constexpr int least_rings = 2, most_rings = capacity, default_rings = 4;
 
   // Ring of the contact area. Its outer edge is stored as p = F^(1/3), where F is the normal force
-  // at which the contact area reaches this edge. Then h = c p^2. D is the tangential force of the
-  // ring divided by its normal force, as a vector in the frame of the contact.
+  // at which the contact area reaches this edge. The displacement function h of the file header is
+  // then c p^2. D is the tangential force of the ring divided by its normal force, as a vector in
+  // the frame of the contact.
   struct Ring {
     double edge;  // p = F^(1/3) at the outer edge; 0 if there is no ring
     double x, y;  // D
@@ -87,7 +89,7 @@ class PartialSlip {
   }
 
  private:
-  // Vector in the frame of the contact.
+  // Vector in the contact plane, in the frame of the contact.
   struct Plane {
     double x = 0, y = 0;
     friend PLASTIGRAN_DEVICE Plane operator+(Plane a, Plane b) { return {a.x + b.x, a.y + b.y}; }
@@ -121,7 +123,7 @@ class PartialSlip {
     }
   };
 
-  // Ends the contact in this step: its stored energy is dissipated.
+  // Ends the contact in this step, and counts its stored energy as dissipated.
   PLASTIGRAN_DEVICE TangentialResponse end(const TangentialMotion& motion, State& state) const {
     TangentialResponse response;
     if (state.compliance > 0) {
@@ -204,8 +206,8 @@ class PartialSlip {
     // Returns the compliance c of this step, and adapts the rings to it. The stored energy is
     // proportional to c. A lower c, as in plastic loading, keeps the forces and releases energy. A
     // higher c would create energy. Therefore the old c remains until the new c exceeds 1.5 times
-    // the old one. Then c grows to the new value divided by 1.5, and every D decreases so that the
-    // stored energy stays the same.
+    // the old one. Then c grows to the new value divided by 1.5, and every D (tangential/normal
+    // force of a ring) decreases so that the stored energy stays the same.
     PLASTIGRAN_DEVICE double follow(double old, double now) {
       constexpr double hysteresis = 1.5;
       if (count == 0 || now <= old) return now;
@@ -251,8 +253,9 @@ class PartialSlip {
     }
 
     // Returns a measure of the displacement error if rings k and k + 1 merge: the squared product
-    // of the difference of their D and the width of both rings. With the width of the thinner ring
-    // alone, the outer ring would absorb all thin rings, however small the step is.
+    // of two factors, the difference of their vectors D and the width of both rings together. With
+    // the width of the thinner ring alone, the outer ring would absorb all thin rings, however
+    // small the step is.
     PLASTIGRAN_DEVICE double change(int k) const {
       const Plane difference = share(ring[k + 1]) - share(ring[k]);
       const double width = square(k + 1) - square(k - 1);

@@ -60,8 +60,8 @@ struct JacksonGreenCurve {
         yield_radius_ratio(yield_radius * sphere.radius_ratio) {}
 
   PLASTIGRAN_DEVICE double force(double x) const { return force(x, contact_radius(x)); }
-  // Returns f at x for a given contact radius `radius` = a/a_y; ghaednia_2019 passes its own
-  // contact radius.
+  // Returns the force ratio f at x = overlap/overlap_c for a given contact radius, `radius` =
+  // a/a_y; ghaednia_2019 passes its own contact radius.
   PLASTIGRAN_DEVICE double force(double x, double radius) const {
     return std::exp(-0.25 * std::pow(x, 5.0 / 12)) * x * std::sqrt(x) +
            4 * hardness_ratio(radius) / pressure_factor * -std::expm1(-std::pow(x, 5.0 / 9) / 25) *
@@ -79,8 +79,8 @@ struct JacksonGreenCurve {
     return sphere.overlap_range(
         std::pow(0.41 * 0.41 / std::pow(x_scale, area_exponent), 1 / (1 + area_exponent)));
   }
-  // Returns H/sigma_Y at `radius` = a/a_y. The cosine form was fitted up to a/R = 0.41. This law
-  // keeps it constant beyond a/R = 1.
+  // Returns the ratio H/sigma_Y of hardness to yield strength at `radius` = a/a_y. The cosine form
+  // was fitted up to a/R = 0.41. This law keeps it constant beyond a/R = 1.
   PLASTIGRAN_DEVICE double hardness_ratio(double radius) const {
     const double a = yield_radius * radius;
     if (hardness == exponential) return -2.84 * std::expm1(-0.82 * std::pow(a, -0.7));

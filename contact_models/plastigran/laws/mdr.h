@@ -63,11 +63,11 @@ struct MdrCurve : NoConstants {
     breaks = {depth_y, std::max(depth_y, largest)};
   }
 
-  // Returns p/E' [-].
+  // Returns p/E' [-], with the mean pressure p beyond yield.
   PLASTIGRAN_DEVICE double pressure(double x) const {
     return strength * (1.75 * std::exp(-4.4 * std::min(x, largest)) + 1);
   }
-  // Returns (a_max/R)^2 [-].
+  // Returns (a_max/R)^2 [-], with the contact radius a_max at the largest overlap.
   PLASTIGRAN_DEVICE double area(double x) const {
     const double grown = std::min(x, largest);
     return grown * (2 - grown) - depth_y * (1 - depth_y);

@@ -44,7 +44,7 @@ constexpr bool responds_stronger = false;
 template <class Law>
 constexpr bool responds_stronger<Law, std::void_t<decltype(&Law::respond_stronger)>> = true;
 
-// Tables of a material pair at larger rate factors, if the law needs them.
+// Tables of a law for one pair of materials at rate factors above 1, if the law needs them.
 template <class Law>
 class RateTables {
  public:
@@ -69,7 +69,7 @@ class RateTables {
 
   bool built() const { return !laws_.empty(); }
 
-  // Returns table k: 0 is the law at rate factor 1.
+  // Returns table k. Table 0 is `at_rest`, the law at rate factor 1.
   const Law& law(const Law& at_rest, std::size_t k) const { return k ? laws_[k - 1] : at_rest; }
   double range(double at_rest, std::size_t k) const { return k ? ranges_[k - 1] : at_rest; }
   double factor(std::size_t k) const { return factors_[k]; }

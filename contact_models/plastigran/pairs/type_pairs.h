@@ -38,7 +38,7 @@ const char* refusal_of_adhesion() {
   return "the law does not begin with Hertz' contact";
 }
 
-// Returns the options of a law with their choices, each preceded by `separator`.
+// Returns the options of a law and their choices as text, each option preceded by `separator`.
 template <class Law>
 std::string options_text(const typename Law::Parameters& choices, const char* separator) {
   std::string text;

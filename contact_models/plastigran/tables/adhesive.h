@@ -156,7 +156,7 @@ class Adhesive {
                                quantities = shape + Rebound::has_shape;
   typedef std::array<double, quantities> Values;
 
-  // The contact at its largest overlap.
+  // Values of a contact at its largest overlap.
   struct Peak {
     double force, slope, pull;  // F_1, S and D
     double contact_radius, inverse_recovery, shape;
@@ -248,8 +248,9 @@ class Adhesive {
   PLASTIGRAN_DEVICE static Point largest() { return {1, 1, 1}; }
 
   // Returns the point of unloading at an overlap. `beyond` is (overlap - overlap_res)/(overlap_max
-  // - overlap_res). With b = D/(overlap_max - overlap_res) at the largest overlap, y is the largest
-  // root of y - b S^(1/2)/S_max^(1/2) = beyond. Without a root, the contact breaks, and y is 0.
+  // - overlap_res). With the slope S of unloading, and b = D/(overlap_max - overlap_res) at the
+  // largest overlap, y is the largest root of y - b (S/S_max)^(1/2) = beyond. Without a root, the
+  // contact breaks, and y is 0.
   PLASTIGRAN_DEVICE Point point(const Peak& peak, double beyond) const {
     const double b = peak.pull * peak.inverse_recovery;
     if constexpr (Rebound::is_hertzian) {

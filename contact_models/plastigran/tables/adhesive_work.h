@@ -31,7 +31,7 @@ constexpr bool energy_guarded = false;
 template <class Law>
 constexpr bool energy_guarded<Law, std::void_t<decltype(Law::has_guard)>> = Law::has_guard;
 
-// Returns the x at which the curves of a law have kinks or jumps.
+// Returns the values x = overlap/overlap_y at which the curves of a law have kinks or jumps.
 template <class Law>
 auto kinks_of([[maybe_unused]] const Law& law) {
   if constexpr (energy_guarded<Law>)
@@ -40,8 +40,8 @@ auto kinks_of([[maybe_unused]] const Law& law) {
     return std::array<double, 1>{1};
 }
 
-// Values of a law without adhesion after first loading to x, in yield units. The slope does not
-// contain the factor 1 + B eta, which the energy guard adds.
+// Values of a law without adhesion after first loading to x = overlap/overlap_y, in yield units.
+// The slope does not contain the factor 1 + B eta, which the energy guard adds.
 struct AfterLoading {
   double force, slope, energy;
 };
@@ -71,13 +71,14 @@ class WorkOfLoading {
             at.force * recovery * rebound_.energy_at(1, at.shape)};
   }
 
-  // Returns the work of first loading to x, divided by F_y overlap_y.
+  // Returns the work of first loading to x = overlap_1/overlap_y, divided by F_y overlap_y. B
+  // measures adhesion.
   PLASTIGRAN_DEVICE double operator()(const Law& law, double x, double B) const {
     return polynomial(works_at(law, x), B);
   }
 
-  // Returns eta at x. The factor 1 + B eta increases the slope of unloading; eta is 0 for a law
-  // without energy guard.
+  // Returns eta at x = overlap_1/overlap_y. The factor 1 + B eta increases the slope of unloading;
+  // eta is 0 for a law without energy guard.
   PLASTIGRAN_DEVICE double eta(double x, const AfterLoading& at) const {
     if constexpr (!energy_guarded<Law>) return 0;
     double work = 0;
@@ -99,8 +100,8 @@ class WorkOfLoading {
             more * d * slope_of_d};
   }
   // Returns the derivative of the function in table k: w_0, w_1, w_2 or w_0 + w_3. The last table
-  // contains the sum, because near the start of an interval eta is a difference of nearly equal
-  // works. The round-off of w_3 is therefore small only compared with w_0.
+  // contains the sum because of round-off: near the start of an interval, eta is a difference of
+  // nearly equal works, so the round-off of w_3 is small only compared with w_0.
   PLASTIGRAN_DEVICE double derivative(const Law& law, double x, std::size_t k) const {
     const Works all = powers(law, x);
     return k == 3 ? all[0] + all[3] : all[k];
@@ -141,7 +142,7 @@ class WorkOfLoading {
     return w[0] - B * (w[1] - B * (w[2] + B * w[3]));
   }
 
-  // Values after first loading to x that do not depend on B.
+  // Values after first loading to x that do not depend on B, the measure of adhesion.
   struct Sample {
     double x, eta;
     AfterLoading at;
@@ -161,7 +162,7 @@ class WorkOfLoading {
     }
     return all;
   }
-  // Returns whether plastic work decreases from one sample to the next.
+  // Returns whether plastic work decreases from one value of x to the next.
   static bool falls(const Sample& from, const Sample& to, double B) {
     return to.plastic_work(B) < from.plastic_work(B) - 1e-13 * to.works[0];
   }
@@ -192,7 +193,7 @@ class WorkOfLoading {
   }
 
   // Finds the largest B at which plastic work increases with x. If a law with an energy guard would
-  // not reach B = 0.4, increases the fraction lost_ of the work until it does.
+  // not reach B = 0.4, increases lost_, the lost fraction of the work per unit of B, until it does.
   void guard(const Law& law) {
     std::vector<Sample> all = samples(law);
     const auto lower_to = [&](double least) {

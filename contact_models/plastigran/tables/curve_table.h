@@ -81,8 +81,9 @@ class CurveTable : public Curve, public LargestOverlap {
     return unloading_.at(reached, y);
   }
 
-  // Interface for adhesive.h. elastic_range() returns overlap/R* at the end of the elastic formula.
-  // after_loading(x) returns the quantities of a contact loaded to x > 1 times this overlap.
+  // Members that adhesive.h needs. elastic_range() returns overlap/R* at the end of the elastic
+  // formula. after_loading(x) returns the quantities of a contact loaded to x > 1 times this
+  // overlap.
   double elastic_range() const { return Curve::breaks[0] * overlap_ratio_; }
   PLASTIGRAN_DEVICE Peak after_loading(double x) const {
     const double unit = Curve::breaks[0], root = std::sqrt(unit);
@@ -98,8 +99,8 @@ class CurveTable : public Curve, public LargestOverlap {
   }
 
  private:
-  // Quantities of a contact loaded to x, in yield units. Force and contact radius of first loading
-  // need only the first two.
+  // Quantities of a contact loaded to x = overlap/overlap_y, in yield units. Force and contact
+  // radius of first loading need only the first two.
   enum Quantity { FORCE, RADIUS, INVERSE_RECOVERY, SHAPE };
   static constexpr std::size_t quantities = Unloading::has_shape ? 4 : 3;
   typedef std::array<double, quantities> Values;
@@ -128,12 +129,13 @@ class CurveTable : public Curve, public LargestOverlap {
     if constexpr (Unloading::has_shape) at[SHAPE] = unloading_.shape(*this, x);
     return at;
   }
-  // Computes the quantities of a contact loaded to x, beyond the end of the table.
+  // Computes the quantities of a contact loaded to x = overlap/overlap_y, beyond the end of the
+  // table.
   [[gnu::noinline, gnu::cold]] PLASTIGRAN_DEVICE Values computed(double x) const {
     return compute(x);
   }
 
-  // Returns the work of loading to x, divided by F_y overlap_y.
+  // Returns the work of loading to x = overlap/overlap_y, divided by F_y overlap_y.
   PLASTIGRAN_DEVICE double loading_work(double x) const {
     return loading_work_.covers(x) ? loading_work_(x)[0] : summed_work(x);
   }
@@ -152,8 +154,8 @@ class CurveTable : public Curve, public LargestOverlap {
     return sum;
   }
 
-  // Returns the work of loading to x and the energy released by unloading, divided by F_y
-  // overlap_y.
+  // Returns two values for loading to x = overlap/overlap_y: the work of loading, and the energy
+  // that unloading releases. Both are divided by F_y overlap_y.
   [[gnu::noinline, gnu::cold]] PLASTIGRAN_DEVICE std::array<double, 2> computed_works(
       double x) const {
     return {loading_work(x), Curve::force(x) * guarded_recovery(x) / work_ratio(x)};

@@ -43,7 +43,7 @@ class EllipticalUnloading {
     response.elastic_energy = force_unit * overlap_unit * 2 * y * y * root * share[1];
     return response;
   }
-  // Returns the work of elastic loading to x divided by 4/3 E* r^5 R*^3, with r =
+  // Returns the work of elastic loading to x = overlap/R, divided by 4/3 E* r^5 R*^3 with r =
   // yield_radius_ratio.
   PLASTIGRAN_DEVICE static double elastic_work(double x) { return 1.5 * pi * stored(0.5 * x); }
 
@@ -96,9 +96,10 @@ class EllipticalUnloading {
   }
   PLASTIGRAN_DEVICE static double chord(double y) { return y < 1 ? std::sqrt(y * (2 - y)) : 1; }
 
-  // Returns h/y^(3/2) if integrals = 0: 4 sqrt(2)/pi times the sum of binomial(1/2, k)
-  // (-y/2)^k/(k + 3/2). If integrals = 1, divides each term also by (k + 5/2), and returns
-  // (integral of h)/y^(5/2). For y < 1/4, 16 terms have an error below 1e-17.
+  // Series for small y, where the closed forms lose digits. With integrals = 0, returns h/y^(3/2):
+  // 4 sqrt(2)/pi times the sum of binomial(1/2, k) (-y/2)^k/(k + 3/2). With integrals = 1, divides
+  // each term also by (k + 5/2), and returns (integral of h)/y^(5/2). For y < 1/4, 16 terms have an
+  // error below 1e-17.
   static constexpr double series_end = 0.25;
   PLASTIGRAN_DEVICE static double series(double y, int integrals) {
     double sum = 0, term = 4 * 1.4142135623730951 / pi;

@@ -41,13 +41,14 @@ class LineTables {
   Tabulated<1, 8, 30> load_shares_;
 };
 
-// Elastic line contact, overlap = q ln(reach/q), with the load q [m].
+// Elastic line contact: overlap = q ln(reach/q), with the load q [m] and the constant length
+// `reach` [m].
 class LineCompliance {
  public:
   PLASTIGRAN_DEVICE LineCompliance(const LineTables& tables, double reach)
       : tables_(tables), reach_(reach), tangent_from_(reach * tangent_share) {}
 
-  // Returns the overlap at a load [m]; `log` is ln(reach/load).
+  // Returns the overlap [m] at a load [m]; `log` is ln(reach/load).
   PLASTIGRAN_DEVICE double overlap(double load, double log) const {
     return log > 2 ? load * log : load + tangent_from_;
   }

@@ -77,8 +77,8 @@ struct Panel {
         largest[i] = std::max(largest[i], std::abs(value[j][i]));
     }
     double scale = 1;
-    // Interpolate the difference from the value near the middle: the round-off of the weights then
-    // scales with the variation on the panel.
+    // Interpolate the difference from the value near the middle: the round-off of the interpolation
+    // weights then scales with the variation on the panel.
     const Values middle = value[terms / 2];
     for (std::size_t k = 0; k < terms; ++k) {
       Values sums{};

@@ -107,10 +107,11 @@ class ParametricTable : public Curve {
     return radius_eff * radius_eff * Curve::yield_force_ratio;
   }
 
-  // Returns the root s >= 1 of g(s) = A^2 - x C for x >= 1 by Newton's method; `start` must not
-  // exceed the root. For admissible constants, g is negative left of the root, and increasing and
-  // convex right of it. Right of the root, the iterates therefore decrease monotonically. Left of
-  // the root, a step is at most s.
+  // Returns s = a_e/a_Y at x = overlap/overlap_Y >= 1: the root s >= 1 of g(s) = A^2 - x C, by
+  // Newton's method. A is the contact radius a/a_Y, and C the factor of the radius of curvature.
+  // `start` must not exceed the root. For admissible constants, g is negative left of the root, and
+  // increasing and convex right of it. Right of the root, the iterates therefore decrease
+  // monotonically. Left of the root, a step is at most s.
   PLASTIGRAN_DEVICE double elastic_radius(double x, double start) const {
     double s = start;
     for (int iteration = 0; iteration < 200; ++iteration) {
@@ -126,7 +127,7 @@ class ParametricTable : public Curve {
     return s;
   }
 
-  // Interface for adhesive.h, in yield units.
+  // Members that adhesive.h needs, in yield units.
   typedef PlasticRadiusStays Rebound;
   double elastic_range() const { return Curve::yield_radius_ratio * Curve::yield_radius_ratio; }
   PLASTIGRAN_DEVICE Peak after_loading(double x) const {

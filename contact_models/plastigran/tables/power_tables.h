@@ -44,7 +44,7 @@ class PowerTables {
     // Evaluate the series of e^s for |s| < 0.0028.
     const double s = (way - (near - round)) * ln_2, s_2 = s * s;
     const double rest = (1 + s) + s_2 * ((0.5 + 1.0 / 6 * s) + s_2 * (1.0 / 24));
-    // The low bits of `near` contain the rounded `way` in units of 1/128.
+    // The low bits of `near` contain `way`, rounded, in units of 1/128.
     const std::int64_t powers =
         static_cast<std::int64_t>(static_cast<std::uint64_t>(steps) << 13) >> 20;
     const std::uint64_t scale = static_cast<std::uint64_t>(powers + 1023) << 52;

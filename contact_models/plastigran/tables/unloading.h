@@ -49,13 +49,13 @@ struct ShapeOfUnloading {
   double force, root_of_slope, exponent;
 };
 
-// Base of the shapes: Hertz contact below yield.
+// Base of the unloading shapes: Hertz contact below yield.
 struct HertzBelowYield {
   PLASTIGRAN_DEVICE static Response elastic(double modulus, double radius_eff, double,
                                             double overlap) {
     return hertz_response(modulus, radius_eff, overlap);
   }
-  // Returns the work of elastic loading to x, divided by F_y overlap_y.
+  // Returns the work of elastic loading to x = overlap/overlap_y, divided by F_y overlap_y.
   PLASTIGRAN_DEVICE static double elastic_work(double x) { return 0.4 * x * x * std::sqrt(x); }
 };
 
@@ -152,8 +152,8 @@ class SteepeningUnloading : public HertzBelowYield {
 
   PLASTIGRAN_DEVICE Response at(const Peak& peak, double left) const {
     const double y = left > 0 ? left : 0, root = std::sqrt(y), g = peak.shape - 1;
-    // `steeper` and `wider` are exactly 1 at the largest overlap, so that first loading continues
-    // without a jump.
+    // `steeper` and `wider` are the ratios of force and contact radius to those of a Hertz contact.
+    // Both are exactly 1 at the largest overlap, so that first loading continues without a jump.
     const double steeper = peak.shape / (1 + g * root);
     const double wider = steeper * steeper * ((3 + 2 * g * root) / (3 + 2 * g));
     return scaled(peak, root, y * root * steeper, root * wider);
@@ -199,7 +199,7 @@ class SteepeningUnloading : public HertzBelowYield {
     return response;
   }
 
-  // Returns the integral W(g) defined at the top of this file.
+  // Returns W(g), the integral of 2 z^4/(1 + g z) over z from 0 to 1.
   PLASTIGRAN_DEVICE double work(double g) const {
     return work_.covers(1 + g) ? work_(1 + g)[0] : summed_work(g);
   }
