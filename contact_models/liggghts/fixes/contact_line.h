@@ -36,8 +36,8 @@ constexpr char pair_owner[] = "pair_style";
 std::string restart_text(const ContactLines& lines);
 ContactLines read_restart_text(const std::string& text);
 
-// Stops because the restart file has contacts of the models `restarted`, but the line of `owner`
-// has `models`.
+// Stops the run, because the restart file has contacts of the models `restarted`, but the deck line
+// of `owner` (the pair style or a wall) has `models`.
 [[noreturn]] void refuse_other_models(LAMMPS_NS::LAMMPS* engine, const std::string& owner,
                                       const std::string& restarted, const std::string& models);
 

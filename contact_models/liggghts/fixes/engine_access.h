@@ -27,11 +27,11 @@ namespace plastigran {
 
 // Registers a setting whose value is one of several words, because LIGGGHTS itself offers only
 // on/off and numbers. `chosen` contains the index of the default word. When LIGGGHTS has read the
-// line, `chosen` contains the index of the word in the deck. Null words are omitted.
+// deck line, `chosen` contains the index of the word in the deck. Null words are omitted.
 void add_choice(Settings& settings, const std::string& name, const char* const* words,
                 std::size_t count, int& chosen);
 
-// Returns all settings of a model line by name.
+// Returns all settings of a pair_style or wall line by name.
 const std::map<std::string, Setting*>& settings_by_name(const Settings& settings);
 
 // Returns whether the value of a setting is a number, and if so stores it in `number`.

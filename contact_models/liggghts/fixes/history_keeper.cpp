@@ -48,8 +48,8 @@ std::string HistoryKeeper::restarted_lines(LAMMPS_NS::LAMMPS* engine) {
 
 void HistoryKeeper::connect(const std::string& owner, const ContactLine& line) {
   ContactLine& connected = connected_[owner];
-  // The line may have been registered before a run that had no setup. Keep the report of its
-  // constants, because that run did not print it.
+  // The pair_style or wall line may have been registered before a run that had no setup. Keep the
+  // report of its constants, because that run did not print it.
   const std::string earlier = std::exchange(connected, line).report;
   if (line.report.empty()) connected.report = earlier;
   const auto entry = restarted_.find(owner);
@@ -155,7 +155,7 @@ void HistoryKeeper::setup_pre_exchange() {
 }
 
 // `write_restart` and `write_data` also call setup_pre_exchange(). The next run must still find the
-// histories, also those of a line that is missing when the file is written.
+// histories, including those of a pair_style or wall line that is missing when the file is written.
 void HistoryKeeper::restore_lost_histories() {
   const NewIds new_ids(ids_.data(), atom->tag, atom->nlocal, particle_total_, world);
   const ContactLines lines = with_host_pair_style(lines_);

@@ -41,12 +41,12 @@ class HistoryKeeper : public PluginFix {
   // until the first run.
   static std::string restarted_lines(LAMMPS_NS::LAMMPS* engine);
 
-  // Registers the line of a contact model before each run. Stops if the restart file has contacts
-  // of other models. Collective.
+  // Registers the pair_style or wall line of a contact model before each run. Stops if the restart
+  // file has contacts of other models. Collective.
   void connect(const std::string& owner, const ContactLine& line);
 
-  // Returns the settings of an owner from the restart file. If the file has none, warns and returns
-  // an empty string.
+  // Returns the settings of the pair style or wall `owner` from the restart file. If the file has
+  // none, warns and returns an empty string.
   std::string restarted_settings(const std::string& owner) const;
 
   // Copies the histories of a fix before LIGGGHTS deletes it. Does nothing if the keeper does not

@@ -27,7 +27,7 @@ class KeptFix : public Base, public AnyKeptFix {
   }
 };
 
-// Fix for the histories of pairs.
+// Fix in which LIGGGHTS stores the contact histories of pairs.
 class PairHistories : public KeptFix<LAMMPS_NS::FixContactHistory> {
  public:
   using KeptFix::KeptFix;

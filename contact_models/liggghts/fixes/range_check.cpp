@@ -34,7 +34,7 @@ void RangeCheck::post_run() {
   }
 }
 
-// Prints the largest overlap if it exceeds the last printed one by more than `factor`. Collective.
+// Prints the largest overlap if it exceeds `factor` times the last printed one. Collective.
 void RangeCheck::print_furthest(const std::string& model, Excess& excess, double factor) {
   double furthest;
   MPI_Reduce(&excess.contacts, &excess.all_contacts, 1, MPI_DOUBLE, MPI_SUM, 0, world);

@@ -38,8 +38,8 @@ class StoredHistories {
 
   Layout layout() const { return {has_partners_, of_pairs_, width()}; }
 
-  // Copies the histories of pairs from the neighbor lists to the fix. Call it before the functions
-  // below.
+  // Copies the histories of pairs from the neighbor lists to the fix. Call this function before the
+  // functions below.
   void update() {
     if (has_partners_) fix_->setup_pre_exchange();
   }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // LIGGGHTS' contact model with three additions: it reports every contact to the energy ledger and
-// the observers, adds the setting `energy_ledger on|off`, and restores the settings of its line
-// from a restart file.
+// the observers, adds the setting `energy_ledger on|off`, and restores the settings of its
+// pair_style or wall line from a restart file.
 #pragma once
 
 #include <algorithm>
@@ -91,7 +91,7 @@ class AccountedContact : private ContactSetup, public LIGGGHTS::ContactModels::C
     Base::connectToProperties(registry);
   }
 
-  // Returns whether the ledger or an observer needs the energies of these contacts.
+  // Returns whether the energy ledger or an observer needs the energies of these contacts.
   bool counts_energies() const { return ledger_ || !observers_.empty(); }
 
   // Computes the forces of an overlapping pair. LIGGGHTS' loops call this function with loads that
@@ -129,7 +129,7 @@ class AccountedContact : private ContactSetup, public LIGGGHTS::ContactModels::C
     Base::surfacesIntersect(contact, on_i, on_j);
   }
 
-  // Computes the forces and energies, and reports them to the ledger and the observers.
+  // Computes the forces and energies, and reports them to the energy ledger and the observers.
   void compute_and_count(Contact& contact, AccountedLoad& on_i, Load& on_j) {
     compute_with_energies(contact, on_i, on_j);
     if (ledger_) ledger_->add(contact, on_i, on_j);
@@ -139,14 +139,15 @@ class AccountedContact : private ContactSetup, public LIGGGHTS::ContactModels::C
     for (ContactObserver* const observer : observers_) observer->add(contact, on_i, on_j, owner_);
   }
 
-  // Reports the stored energies to the ledger. Some models write to the contact history in this
-  // call.
+  // Reports the stored energies to the energy ledger. The caller passes a copy of the contact
+  // history, because some models write to it in this call.
   void count_stored(Contact& contact, AccountedLoad& on_i, Load& on_j) {
     compute_with_energies(contact, on_i, on_j);
     add_stored(contact, on_i);
   }
 
-  // Registers `contacts` with the ledger, which computes the stored energies when it needs them.
+  // Registers `contacts` with the energy ledger, which computes the stored energies when it needs
+  // them.
   void defer_stored_energies(StoredEnergies& contacts) {
     if (ledger_) ledger_->defer(contacts);
   }
@@ -158,7 +159,7 @@ class AccountedContact : private ContactSetup, public LIGGGHTS::ContactModels::C
     counted_load = nullptr;
   }
 
-  // Restores the settings of the line from a restart file.
+  // Restores the settings of the pair_style or wall line from a restart file.
   void restore_line() {
     const std::string name = ContactOwner(owner(), this->is_wall()).name();
     restore_settings(engine_, *this, ensure_fix<HistoryKeeper>(engine_)->restarted_settings(name),

@@ -33,8 +33,8 @@ void EnergyLedger::open(LAMMPS_NS::LAMMPS* engine) {
          "create_box");
   if (find_fix<EnergyLedger>(engine)) return;
   ensure_fix<EnergyLedger>(engine);
-  // Words of fix property/atom: saved in restart files (yes), not sent to ghosts (no, no), initial
-  // value 0.
+  // The last words of the fix property/atom mean: saved in restart files (yes), not sent to ghosts
+  // (no, no), initial value 0.
   add_style<ParticlePlasticWork>(engine->modify);
   add_fix(engine->modify, {ParticlePlasticWork::id(), "all", ParticlePlasticWork::style(),
                            "plastic_work", "scalar", "yes", "no", "no", "0.0"});
@@ -177,7 +177,8 @@ void EnergyLedger::count_deferred() {
 
 void EnergyLedger::add_plastic_work(const Contact& contact, double work, bool has_local_partner) {
   const double share = share_of(contact, has_local_partner) * work;
-  // `run 0` writes no history, so the next setup reports this work again.
+  // Sum the plastic work of `run 0` separately: this run writes no contact history, so the next
+  // setup reports the work again.
   if (update->nsteps == 0) {
     plastic_work_of_run_0_ += share;
     return;
@@ -189,7 +190,8 @@ void EnergyLedger::add_plastic_work(const Contact& contact, double work, bool ha
 }
 
 void EnergyLedger::add_adhesion_loss(const Contact& contact, double loss, bool has_local_partner) {
-  // `run 0` writes no history, so the next setup reports this loss again.
+  // Sum the adhesion loss of `run 0` separately: this run writes no contact history, so the next
+  // setup reports the loss again.
   double& sum = update->nsteps == 0 ? adhesion_loss_of_run_0_ : sums_.adhesion_loss;
   sum += share_of(contact, has_local_partner) * loss;
 }

@@ -93,13 +93,14 @@ class EnergyLedger : public PluginFix {
   }
 
   // Adds the work of the old forces. Positions are new, and velocities are at mid-step. If another
-  // fix acts before pre_exchange() of this fix, saves the energy here.
+  // fix acts before pre_exchange() of this fix, also saves the mechanical energy here.
   void post_integrate() override {
     add_work();
     if (!acts_first_) mechanical_before_ = mechanical_energy();
   }
 
-  // Saves the energy before LIGGGHTS inserts or deletes particles, or moves them to other ranks.
+  // Saves the mechanical energy before LIGGGHTS inserts or deletes particles, or moves them to
+  // other ranks.
   void pre_exchange() override {
     if (acts_first_) mechanical_before_ = mechanical_energy();
   }
@@ -198,7 +199,8 @@ class EnergyLedger : public PluginFix {
   // separate sums, so that the results do not depend on which of them LIGGGHTS computes first.
   Stored by_pairs_, by_walls_;
   StoredEnergies* deferred_ = nullptr;  // contacts to add to these sums when needed
-  // Losses in `run 0`. They are not in sums_, because `run 0` writes no history.
+  // Plastic work and adhesion loss in `run 0`. They are not in sums_, because `run 0` writes no
+  // contact history and the next setup reports them again.
   double plastic_work_of_run_0_ = 0, adhesion_loss_of_run_0_ = 0;
   std::vector<WallContact> walls_;
   std::vector<FrictionLoad> friction_;  // by local particle index

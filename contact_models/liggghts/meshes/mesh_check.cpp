@@ -34,7 +34,7 @@ void MeshCheck::post_run() {
   report(ring);
 }
 
-// Warns of the problem at the place that the lowest rank with this problem has noted. Collective.
+// Warns of a problem at the place that was noted by the lowest rank with this problem. Collective.
 void MeshCheck::report(Problem problem) {
   int rank = seen(problem) ? comm->me : comm->nprocs, first;
   MPI_Allreduce(&rank, &first, 1, MPI_INT, MPI_MIN, world);

@@ -17,12 +17,12 @@ namespace plastigran {
 
 namespace {
 
-// Depths that differ by less than this fraction of the radius count as equal. Of equal depths, the
-// contact with a history is preferred: at an edge between coplanar triangles, LIGGGHTS may compute
-// only this contact.
+// Overlap depths that differ by less than this fraction of the radius count as equal. Of equal
+// depths, the contact with a history is preferred: at an edge between coplanar triangles, LIGGGHTS
+// may compute only this contact.
 const double same_depth = 1e-11;
 
-// Tolerance of a cosine, because corners in mesh files have about seven digits.
+// Tolerance of a cosine, because the coordinates of corners in mesh files have about seven digits.
 const double rounding = 1e-6;
 
 // Two contacts are on opposite sides of a particle if the cosine of the angle between their
@@ -72,7 +72,8 @@ bool MeshContacts::computes(int particle, int triangle, double* history) {
       std::any_of(begin, end, [&](const Overlap& o) { return o.history == history; });
   if (will_move) return false;
   if (overlap == end && in_contact_ < 0) return true;
-  // LIGGGHTS copies histories between coplanar triangles. A copy must not act as a second contact.
+  // Clear the history: LIGGGHTS copies histories between coplanar triangles, and a copy must not
+  // act as a second contact.
   std::fill_n(history, fix_->contactHistory()->get_dnum(), 0.0);
   return false;
 }
@@ -255,8 +256,8 @@ void MeshContacts::find_histories(int particle, int first) {
   }
 }
 
-// Returns the overlap that has the contact with the triangle's surface; null if the particle has
-// left this surface.
+// Returns the overlap that now has the contact with the surface of `triangle`; null if the particle
+// has left this surface.
 MeshContacts::Overlap* MeshContacts::heir_of(int particle, int first, int triangle) {
   const double* const centre = engine_->atom->x[particle];
   const auto begin = overlaps_.begin() + first, end = overlaps_.end();

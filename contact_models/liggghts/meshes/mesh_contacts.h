@@ -45,7 +45,7 @@ class MeshContacts {
   bool computes(int particle, int triangle, double* history);
 
  private:
-  // An overlap of a particle with a triangle, or a gap across which a contact may be stretched.
+  // An overlap of a particle with a triangle, or a gap across which adhesion may stretch a contact.
   struct Overlap {
     int triangle;       // local index of the triangle
     double to_foot[3];  // from the center of the particle to the nearest point of the triangle

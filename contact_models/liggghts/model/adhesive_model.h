@@ -13,8 +13,8 @@
 
 namespace plastigran {
 
-// Creates the model. `settings` are the settings of the line, as text from settings_text(); empty
-// for a model that LIGGGHTS makes from a restart file.
+// Creates the model. `settings` are the settings of the pair_style or wall line, as text from
+// settings_text(); empty for a model that LIGGGHTS makes from a restart file.
 template <class Law>
 std::shared_ptr<LIGGGHTS::ContactModels::NormalModelBase> make_adhesive_model(
     LAMMPS_NS::LAMMPS* engine, ContactSetup& setup,

@@ -32,13 +32,13 @@ const std::array<CompanionKind, 4>& companion_kinds();
 // rolling, 4 surface. Each place has six bits.
 inline int model_of(std::int64_t hash, std::size_t place) { return hash >> 6 * place & 63; }
 
-// Number of rings of `tangential partial_slip`.
+// Smallest, default and largest number of rings of the contact area in `tangential partial_slip`.
 constexpr int least_rings = PartialSlip<>::least_rings,
               default_rings = PartialSlip<>::default_rings, most_rings = PartialSlip<>::most_rings;
 
-// Bit 30 of the hash, the first after the five places. It marks a law with the option
-// `adhesion jkr`. Restart files contain the hash, so the same history values are registered after a
-// restart.
+// Bit 30 of the hash, the first bit after the IDs of the five models. It marks a law with the
+// option `adhesion jkr`. Restart files contain the hash, so the same history values are registered
+// after a restart.
 constexpr std::int64_t with_adhesion = std::int64_t{1} << 30;
 
 // Bits 31 to 33 of the hash contain the number of rings of `tangential partial_slip` minus 1; 0

@@ -92,7 +92,7 @@ std::vector<std::string> ContactOwner::histories() const {
 }
 
 int ContactOwner::group() const {
-  // LIGGGHTS ignores the group of a wall of meshes.
+  // All particles can touch a mesh wall, because LIGGGHTS ignores the group of the wall.
   return wall_ && !wall_->is_mesh_wall() ? wall_->groupbit : 1;
 }
 

@@ -32,13 +32,13 @@ class ContactOwner {
 
   bool has_model(const std::string& keyword, const std::string& name) const;
 
-  // Returns the law in the line, with the option `adhesion jkr` if the line has it. Returns "hertz"
-  // for LIGGGHTS' `hertz` combined with a tangential law, and an empty string for all other models
-  // of LIGGGHTS.
+  // Returns the law in the pair_style or wall line, with the option `adhesion jkr` if the line has
+  // it. Returns "hertz" for LIGGGHTS' `hertz` combined with a tangential law, and an empty string
+  // for all other models of LIGGGHTS.
   std::string law() const;
 
-  // Returns the other contact models in the line (" KIND NAME ..."), without those that are off,
-  // and the number of rings if it is not the default.
+  // Returns the other contact models in the pair_style or wall line (" KIND NAME ..."), without
+  // those that are off, and the number of rings if it is not the default.
   std::string other_models() const;
 
   // Returns why one of the other models cannot be combined with a law; empty if all can.

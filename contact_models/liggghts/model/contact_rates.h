@@ -47,7 +47,8 @@ class ContactRates {
   }
   ContactRates(const ContactRates&) = delete;
 
-  // Registers the history value. The constructor of a contact model calls this function.
+  // Registers the history value of the rate factor. The constructor of a contact model calls this
+  // function.
   void begin(LIGGGHTS::IContactHistorySetup& setup, const DeckProperties& deck, bool has_types);
 
   // Stops in the setup if a yield strength depends on the rate (`rate_matters`), but the contact

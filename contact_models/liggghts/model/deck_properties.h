@@ -25,7 +25,7 @@ std::string property_name(const std::string& field);
 
 class DeckProperties : protected LAMMPS_NS::Pointers {
  public:
-  // Creates the access for a contact model or fix. Messages begin with `model`.
+  // Creates the access to the properties for a contact model or fix. Messages begin with `model`.
   DeckProperties(LAMMPS_NS::LAMMPS* engine, const std::string& model, int type_count)
       : Pointers(engine), model_(model), type_count_(type_count) {}
 

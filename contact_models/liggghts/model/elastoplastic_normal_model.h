@@ -108,8 +108,9 @@ class ElastoplasticNormalModel : public NormalModelSetup<Law> {
     const plastigran::Stiffness elastic = plastigran::elastic_stiffness(
         pair.law, pair.bodies.youngs_modulus_eff, pair.bodies.shear_modulus_eff, contact_radius);
     contact.kt = elastic.tangential;
-    // LIGGGHTS limits friction to mu kn deltan, so kn is a secant stiffness. With adhesion, the
-    // limit is mu times `limiting`: the normal force plus the pull-off force.
+    // LIGGGHTS limits friction to mu kn deltan, where deltan is the overlap. Therefore kn is set to
+    // a secant stiffness: a force divided by the overlap. With adhesion, this force is `limiting`,
+    // the normal force plus the pull-off force.
     const double limiting =
         response.force +
         plastigran::pull_off_force(pair.law, radius_eff, contact.deltan, state, response);

@@ -29,7 +29,8 @@ class HostHertz : public LIGGGHTS::ContactModels::NormalModel<LIGGGHTS::ContactM
         setup_(setup),
         owner_(setup.owner(), contact_model->is_wall()),
         restarted_lines_(HistoryKeeper::restarted_lines(engine)) {
-    // Force a setup, because a new line needs one even with `run ... pre no`.
+    // Force a setup of the next run, because a new pair_style or wall line needs one even with
+    // `run ... pre no`.
     if (!update->whichflag) update->first_update = 0;
   }
 

@@ -18,8 +18,8 @@ struct HistoryState {
   std::size_t count = 0;
 };
 
-// Returns the HistoryKeeper. `caller` is the model, for messages. `restarted_lines` is the value of
-// HistoryKeeper::restarted_lines() at the construction of the model. Collective.
+// Returns the HistoryKeeper. `caller` names the model in messages. `restarted_lines` is the value
+// of HistoryKeeper::restarted_lines() at the construction of the model. Collective.
 HistoryKeeper& keep_histories(LAMMPS_NS::LAMMPS* engine, const ContactOwner& owner,
                               const std::string& caller, const std::string& restarted_lines,
                               HistoryState state);

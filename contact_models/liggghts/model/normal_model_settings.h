@@ -20,7 +20,8 @@ class NormalModelSettings {
   bool tangential_damping = true;  // whether the tangential spring has a dashpot
   double overlap_limit = 1.0;      // largest overlap/smaller radius before the run stops
 
-  // LIGGGHTS reads the line into `settings` between declare() and read().
+  // Registers the settings. LIGGGHTS reads the pair_style or wall line into `settings` between
+  // declare() and read().
   void declare(Settings& settings) {
     being_read_ = &settings;
     settings.registerOnOff("viscous_damping", viscous_damping, false);

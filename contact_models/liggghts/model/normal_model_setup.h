@@ -52,7 +52,8 @@ class NormalModelSetup : public NormalModelBase {
         owner_(setup.owner(), contact_model->is_wall()),
         restarted_lines_(plastigran::HistoryKeeper::restarted_lines(lmp)) {
     plastigran::refuse_replacement(lmp);
-    // Force a setup, because a new line needs one even with `run ... pre no`.
+    // Force a setup of the next run, because a new pair_style or wall line needs one even with
+    // `run ... pre no`.
     if (!update->whichflag) update->first_update = 0;
     for (std::size_t k = 0; k < Law::state_names.size(); ++k) {
       const int offset = setup.add_history_value(Law::state_names[k], "0");
@@ -140,7 +141,7 @@ class NormalModelSetup : public NormalModelBase {
     return keeper;
   }
 
-  // Registers the models and constants of the line with the HistoryKeeper.
+  // Registers the models and constants of the pair_style or wall line with the HistoryKeeper.
   void describe_line(HistoryKeeper& keeper, const DeckProperties& deck) {
     const auto constants = [&](const std::string& name, const char* assumed) {
       return pairs_.describe(name, deck.words(), settings_.choices, assumed);

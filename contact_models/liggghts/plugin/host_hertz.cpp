@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Registers LIGGGHTS' normal model `hertz` for the lines that combine it with a tangential law.
+// Registers LIGGGHTS' normal model `hertz` for pair_style and wall lines that combine `hertz` with
+// a tangential law.
 #include "liggghts/plugin/any_model.h"  // first, because it includes LIGGGHTS without warnings
 #include "liggghts/model/host_hertz.h"
 

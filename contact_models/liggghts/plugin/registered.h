@@ -20,8 +20,8 @@ struct RegisteredLaw {
   const char* name;  // name in decks
   int id;            // ID in LIGGGHTS' hash of a combination
   Model (*make)(LAMMPS_NS::LAMMPS*, ContactSetup&, LIGGGHTS::ContactModels::ContactModelBase*);
-  // Creates the law with the option `adhesion jkr`, from the settings of its line. Stops if the law
-  // cannot have this option.
+  // Creates the law with the option `adhesion jkr`, from the settings of its pair_style or wall
+  // line. Stops if the law cannot have this option.
   Model (*make_adhesive)(LAMMPS_NS::LAMMPS*, ContactSetup&,
                          LIGGGHTS::ContactModels::ContactModelBase*, const std::string& settings);
 };

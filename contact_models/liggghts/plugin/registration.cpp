@@ -3,7 +3,7 @@
 // Registers every law in LIGGGHTS' factories when the program is loaded: its name, the compiled
 // combinations with other models, and for all other combinations a function that stops with an
 // error. (Otherwise LIGGGHTS would use its generic class, which has only LIGGGHTS' own models.) The
-// first line with a law registers the styles of the observers.
+// first deck line with a law registers the styles of the observers.
 #include <algorithm>
 #include <iterator>
 #include <set>

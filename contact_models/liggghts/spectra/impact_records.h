@@ -75,7 +75,8 @@ class ImpactRecords {
   // Number of values of one impact, with the ID of its partner.
   static constexpr int values_each = 1 + sizeof(Impact) / sizeof(double);
 
-  // Keys are separate from the impacts for speed, because every step searches the keys.
+  // Key of an impact. Keys are separate from the impacts for speed, because every step searches the
+  // keys.
   struct Key {
     Partner partner;
     bool touched;  // whether the contact was reported in this step

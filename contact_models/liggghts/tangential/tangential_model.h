@@ -205,7 +205,8 @@ class TangentialLawModel : public LIGGGHTS::ContactModels::TangentialModelBase {
   // Advances the state by one step, adds the forces, and returns the stored energy of the law.
   double add_forces(const Contact& contact, Load& on_i, Load& on_j) const {
     const double friction = friction_[contact.itype][contact.jtype];
-    // The normal model sets kn such that kn deltan is the force that limits friction.
+    // The normal model sets kn such that kn deltan, with the overlap deltan, is the force that
+    // limits friction.
     const NormalLoad load{std::max(0.0, contact.kn * contact.deltan), contact.kt};
     TangentialMotion motion;
     motion.normal = vector(contact.en);
@@ -224,7 +225,7 @@ class TangentialLawModel : public LIGGGHTS::ContactModels::TangentialModelBase {
     if (TangentialHistory<Law>::has_rings && setup_.rings() != default_rings) {
       response = respond_with_rings(friction, load, motion, contact.contact_history, advances);
     } else if (advances) {
-      // The history has the layout of the state (see the assertion above).
+      // The history has the layout of the state, as the static_assert above checks.
       response = Law(friction).respond(load, motion, *reinterpret_cast<State*>(history));
     } else {
       State state;
