@@ -3,8 +3,9 @@
 #
 # Adds all models, with energy ledger, heat, spectra and meshes, to a LIGGGHTS source tree. It
 # copies the files of the plugin except the launcher and the version check. Source files (.cpp) go
-# to src/ itself, because LIGGGHTS compiles only files there; headers keep their folders. Run it
-# again to update: it replaces changed files and removes files that the project no longer contains.
+# to src/ itself, because LIGGGHTS compiles only files there; headers keep their folders. Run the
+# script again to update: it replaces changed files and removes files that the project no longer
+# contains.
 #
 #   install.sh DIR      DIR is the top folder of the tree, which contains src/
 set -eu

@@ -39,8 +39,9 @@ auto overlap_breaks(const Law& law, [[maybe_unused]] double radius_eff) {
 }
 
 // Computes the central impact of a rate-dependent law by integrating m* d^2 overlap/dt^2 = -F from
-// first touch until the force vanishes. With root = sqrt(overlap) and a new time tau, defined by
-// dt = root dtau, the equations are smooth even if the force begins as sqrt(overlap):
+// first touch until the force vanishes. With root = sqrt(overlap), rate = d overlap/dt and a new
+// time tau, defined by dt = root dtau, the equations are smooth even if the force begins as
+// sqrt(overlap):
 //
 //   d root/dtau = rate/2,   d rate/dtau = -root F/m*
 //

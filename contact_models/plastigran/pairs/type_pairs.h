@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Laws of all pairs of atom types, for any host. Each entry contains a law with the combined
-// constants of two materials, or the reason why the two types must not touch.
+// Laws of all pairs of atom types, for any host. For each pair of types, there is a law with the
+// combined constants of two materials, or the reason why the two types must not touch.
 //
 //   TypePairs<Thornton> pairs;
 //   const Complaint complaint = pairs.build(materials, Thornton::Parameters());
