@@ -65,7 +65,7 @@ class Check:
 
 
 def range_checks(excess: dict[str, float]) -> list[Check]:
-    """Return the failed checks of the validity range: one for each law that exceeds `EXCESS`.
+    """Return failed checks of the validity range: one for each law with overlaps above `EXCESS`.
 
     Args:
         excess: Largest overlap / largest valid overlap [-], by name of the law.
@@ -139,9 +139,9 @@ def ledger_checks(series: pd.DataFrame, limit: float = LEDGER) -> list[Check]:
 
 
 def trapezia_factor(time: pd.Series, diameter: float, gravitational_acceleration: float) -> float:
-    """Return the factor by which trapezoidal integration is less accurate than at `FINE_ROWS` [-].
+    """Return the error of trapezoidal integration, as a multiple of the error at `FINE_ROWS` [-].
 
-    The error is proportional to the square of the time between log lines. The factor is 1 if this
+    The error is proportional to the square of the time between log lines. The result is 1 if this
     time is shorter than `FINE_ROWS` sqrt(d/g), where d is the grain diameter.
 
     Args:

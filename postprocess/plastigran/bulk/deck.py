@@ -145,7 +145,7 @@ class BulkDeck:
         """Write the files that a new run reads from its folder, such as initial positions."""
 
     def analyse(self, series: pd.DataFrame) -> Analysis:
-        """Analyse a run.
+        """Analyse a run and return its checks, figures and results.
 
         Args:
             series: Table of the log from step 0. For a continued run, it includes the log of the

@@ -12,7 +12,7 @@ from plastigran.plot.quantities import Scale, scale, words
 from plastigran.plot.static import draw
 from plastigran.plot.style import styled, subplots
 
-#: Terms below this fraction of the energy input are not drawn.
+#: Energy terms below this fraction of the energy input are not drawn.
 SMALL = 2e-3
 
 

@@ -58,9 +58,10 @@ class CalibratedMetal:
     def constants(self) -> dict[str, float]:
         """Constants C_a P_Y/a_Y and K_c P_Y of the law `vu_quoc_zhang` [-], by name.
 
-        P_Y and a_Y are force and contact radius at first yield. If finite elements of this metal
-        were computed, the constants are fitted to their results. Otherwise, the constants are the
-        defaults of the law, which hold for perfectly plastic metals up to a force of 41 P_Y.
+        C_a [m/N] and K_c [1/N] are the constants in the paper of Vu-Quoc and Zhang. P_Y and a_Y are
+        force and contact radius at first yield. If finite elements of this metal were computed, the
+        constants are fitted to their results. Otherwise, the constants are the defaults of the law,
+        which hold for perfectly plastic metals up to a force of 41 P_Y.
         """
         if self.pressed is not None:
             return {name: getattr(self.pressed.fitted, name) for name in FITTED}

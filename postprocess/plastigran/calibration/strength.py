@@ -70,8 +70,8 @@ class Strength:
 def from_hardness(hardness: Hardness, plastic_modulus: float, youngs_modulus: float) -> Strength:
     """Return the yield strength for a hardness.
 
-    The strength is the flow stress H/2.8 at 8 % strain minus the hardening up to this strain, with
-    the mean indentation pressure H.
+    The strength is the flow stress at 8 % strain minus the hardening up to this strain. The flow
+    stress is H/2.8, where H is the mean pressure of the indentation.
 
     Args:
         hardness: Hardness of the metal.

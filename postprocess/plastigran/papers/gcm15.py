@@ -137,12 +137,12 @@ def _by_law(runs: Runs, column: str) -> pd.DataFrame:
 
 
 def outcome_figure(runs: Runs) -> Figure:
-    """Draw the results of the impacts versus speed."""
+    """Draw the results of the rod's impacts versus impact speed."""
     return rod_figures.outcome_figure(runs.table)
 
 
 def deformation_figure(runs: Runs) -> Figure:
-    """Draw the permanent deformation versus speed."""
+    """Draw the permanent deformation versus impact speed."""
     return rod_figures.deformation_figure(runs.table)
 
 

@@ -50,7 +50,7 @@ def write_grains(frame: Frame, path: Path) -> None:
 
 
 def write_contacts(frame: Frame, path: Path, more: Mapping[str, np.ndarray]) -> None:
-    """Write the contacts of a frame as lines.
+    """Write the contacts of a frame to a VTK file, as lines between the grain centers.
 
     The columns are id1, id2, overlap [m], force, force_normal, force_tangential [N] and the columns
     `more`, each (N,) for N contacts.
@@ -65,7 +65,7 @@ def write_contacts(frame: Frame, path: Path, more: Mapping[str, np.ndarray]) -> 
 
 
 def write_mesh(frame: Frame, path: Path) -> None:
-    """Write the walls of a frame as triangles with IDs."""
+    """Write the walls of a frame to a VTK file, as triangles with IDs."""
     surface = read_frame_file(frame.mesh).extract_surface(algorithm="dataset_surface")
     surface.save(path, compression=None)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figures of the cylinder: restitution versus speed, depth versus time, von Mises stress."""
+"""Figures of the cylinder of Katta & Polycarpou (2010): restitution, depth and stress."""
 
 from __future__ import annotations
 

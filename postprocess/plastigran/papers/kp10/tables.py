@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tables of impacts of the cylinder: paper, finite elements and both cylinder laws."""
+"""Tables of the cylinder of Katta & Polycarpou (2010): paper, finite elements and two laws."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ BODIES = {
 
 
 def comparison(computed: Computed) -> pd.DataFrame:
-    """Return results of the impact `SHOWN`, head-on and oblique, with those of the paper."""
+    """Return the paper's and our results of the impact `SHOWN`, head-on and oblique."""
     strikes = {direction: computed.strikes[Case(*SHOWN, direction)] for direction in PAPER_DEPTHS}
     rows = []
     for direction, strike in strikes.items():

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figures of the sphere: restitution, force, unloading, contact radius and pressure."""
+"""Figures of the sphere of Zhang & Vu-Quoc (2002): restitution, force, radius and pressure."""
 
 from __future__ import annotations
 

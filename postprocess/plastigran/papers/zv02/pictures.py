@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Pictures of the sphere: mesh, von Mises stress and plastic zones, and a movie of an impact."""
+"""Pictures and a movie of the sphere of Zhang & Vu-Quoc (2002): mesh, stress, plastic zones."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tables of the sphere: values of the paper, of finite elements, of laws and of LIGGGHTS."""
+"""Tables of the sphere of Zhang & Vu-Quoc (2002): paper, finite elements, laws and LIGGGHTS."""
 
 from __future__ import annotations
 
