@@ -120,7 +120,7 @@ def _time_of_run(rows: pd.DataFrame, timestep: float) -> pd.Series:
         timestep = rows["timestep"].iloc[0] if rows["timestep"].nunique() == 1 else nan
     first = rows["step"].iloc[0]
     steps = rows["step"] - first
-    # At the first step of the command, the time is known even if the time step is NaN.
+    # The time since the first step is 0 at the first step, even if the time step is NaN.
     return (first * timestep if first else 0.0) + (steps * timestep).where(steps > 0, 0.0)
 
 
