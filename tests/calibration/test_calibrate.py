@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Calibration: from a measurement of a metal to its constants."""
+"""Tests of calibration: from a measurement on a metal to the constants of its laws."""
 
 from __future__ import annotations
 
@@ -40,8 +40,11 @@ def test_known_strength_is_kept():
 
 
 def test_hardness_gives_flow_stress_minus_hardening():
-    """The interval combines the errors of the constraint factor (2.6 to 3.0, 7 %) and the reading
-    (3 %)."""
+    """The yield strength from a hardness is the flow stress at 8 % strain minus the hardening.
+
+    Its interval combines the errors of the constraint factor (2.6 to 3.0, 7 %) and of the reading
+    (3 %).
+    """
     flow = 9.807e6 * 271 / 0.9272 / 2.8
     plain = calibrate(**STEEL, hardness=271)
     assert plain.yield_strength == pytest.approx(flow, rel=1e-12)
@@ -55,7 +58,10 @@ def test_hardness_gives_flow_stress_minus_hardening():
 
 @pytest.mark.parametrize("reading", [320, 480, 640, 780])
 def test_strength_from_leeb_reproduces_the_reading(reading):
-    """The ends of the interval reproduce readings that are 4.5 % off."""
+    """The yield strength from a Leeb reading reproduces this reading.
+
+    The ends of its interval reproduce readings that are 4.5 % lower and higher.
+    """
     metal = calibrate(**STEEL, leeb=reading)
     tester, _ = read_leeb(reading)
     least, largest = metal.yield_strength_interval
@@ -136,7 +142,10 @@ def test_expected_error_depends_on_hardening_and_contact_radius():
 
 
 def test_expected_error_is_unknown_for_other_pairs():
-    """The error is known only for spheres on a rigid plane, which the finite elements cover."""
+    """The expected error of a law is known only for spheres on a rigid plane.
+
+    There are finite elements only for this contact.
+    """
     drops = DropTest([0.5, 2.0], [0.8, 0.6])
     assert calibrate(**STEEL, drops=drops).expected_error.restitution is not None
     on_glass = attrs.evolve(drops, plate=read_material("glass_kp10"))
@@ -191,7 +200,11 @@ def test_wrong_arguments_are_refused(arguments, message):
 
 
 def test_hardness_and_leeb_agree_for_steel():
-    """The rms difference is below 10 %, the scatter of conversions in HV. The intervals overlap."""
+    """For steel, the yield strengths from Vickers hardness and from Leeb hardness agree.
+
+    Their rms difference is below 10 %, the scatter of hardness conversions, and their intervals
+    overlap.
+    """
     differences = []
     for reading, vickers in leeb_table().to_numpy()[::4]:
         leeb, hardness = calibrate(**STEEL, leeb=reading), calibrate(**STEEL, hardness=vickers)
@@ -211,8 +224,11 @@ def test_impacts_beyond_the_range_of_the_law_give_a_note():
 
 
 def test_strength_of_steel_is_for_a_strain_rate_of_one_per_second():
-    """At the strain rate (v/R)(E*/E')^2 of the impact [1/s], the strength is 1 + C ln(rate) times
-    as large."""
+    """The yield strength of steel from a Leeb reading is the strength at a strain rate of 1/s.
+
+    In the impact, the strain rate is (v/R)(E*/E')^2, in 1/s. There, the strength is larger by the
+    factor 1 + C ln(rate), with the rate coefficient C.
+    """
     fast = calibrate(**STEEL, leeb=540, rate_coefficient=0)
     slow = calibrate(**STEEL, leeb=540)
     body = slow.material.body()
@@ -236,9 +252,10 @@ def test_other_metals_get_a_note_on_the_strain_rate():
 
 
 def test_trend_of_the_deviation_with_speed_gives_a_note():
-    """A note appears if the measured restitutions depend on speed in another way than the law.
+    """A note appears if the measured restitution depends on speed in another way than the law.
 
-    The measurements follow `thornton`; restitution by `universal` decreases less with speed.
+    The measurements of this test follow the law `thornton`. With the law `universal`, restitution
+    decreases less with speed.
     """
     metal = Material("metal", **STEEL, yield_strength=6e8)
     speeds = np.geomspace(0.3, 3, 8)

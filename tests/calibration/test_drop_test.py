@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Drop tests and their files."""
+"""Tests of drop tests (restitution versus impact speed) and of their files."""
 
 from __future__ import annotations
 
@@ -31,7 +31,10 @@ def read(tmp_path):
     ],
 )
 def test_every_form_of_the_file_is_read(text, read):
-    """The speed after a fall of h is sqrt(2 g h)."""
+    """Speeds, heights and restitutions are read from every supported column of a file.
+
+    A drop height h is converted to the speed sqrt(2 g h).
+    """
     drops = read(text)
     assert drops["speed"].tolist() == pytest.approx([2.0, 1.0])
     assert drops["restitution"].tolist() == pytest.approx([0.5, 0.6])
@@ -82,7 +85,10 @@ def test_wrong_drop_tests_are_refused(arguments, message):
 
 
 def test_the_metal_is_the_body_that_is_not_given():
-    """E* of two equal bodies is half of E* of one such body on a rigid plate."""
+    """The calibrated metal takes the place of the body that the drop test does not name.
+
+    E* of two equal bodies is half of E* of one such body on a rigid plate.
+    """
     steel = pg.material("steel")
     on_rigid = DropTest([1.0], [0.5]).contact("thornton", steel)
     on_itself = DropTest([1.0], [0.5], plate=None).contact("thornton", steel)

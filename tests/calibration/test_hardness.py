@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Flow stress from hardness, and readings of rebound testers."""
+"""Tests of the flow stress from hardness, and of readings of rebound hardness testers."""
 
 from __future__ import annotations
 
@@ -43,14 +43,18 @@ def test_scales_are_converted_by_the_standards(hardness, vickers):
 
 
 def test_brinell_and_rockwell_scales_agree():
-    """The numbers come from ASTM E140, and the formula for HB comes from ISO 18265."""
+    """The conversions from Brinell (ISO 18265) and Rockwell (ASTM E140) to Vickers agree."""
     vickers = dict(zip(ROCKWELL_C, ROCKWELL_C_VICKERS, strict=True))
     for rockwell, brinell in {50: 481, 40: 371, 30: 286, 20: 226}.items():
         assert SCALES["HB"].vickers(brinell) == pytest.approx(vickers[rockwell], rel=0.015)
 
 
 def test_flow_stress_is_that_of_a_fully_plastic_indentation():
-    """At 100 HV and 100 kgf, the sloping area is 1 mm^2 and the projected area 0.9272 mm^2."""
+    """The flow stress is the mean pressure of the Vickers indentation, divided by 2.8.
+
+    At 100 HV and a load of 100 kgf, the sloping area of the indentation is 1 mm^2 and its projected
+    area 0.9272 mm^2.
+    """
     pressure = 100 * 9.807 / (0.9272e-6)
     assert indentation_pressure(100) == pytest.approx(pressure, rel=1e-12)
     assert flow_stress([100, 200]) == pytest.approx([pressure / 2.8, pressure / 1.4], rel=1e-12)
@@ -96,7 +100,11 @@ def test_reading_is_1000_times_the_restitution_of_the_law():
 
 
 def test_gravity_under_the_sensor_lowers_readings():
-    """A fall of 1 mm adds 2 g h to the square of the impact speed and subtracts it on rebound."""
+    """A sensor above the surface reads a lower restitution, because gravity acts in between.
+
+    For a sensor at h = 1 mm, 2 g h is added to the square of the speed before the impact and
+    subtracted after the rebound.
+    """
     tester = attrs.evolve(TESTERS["D"], sensor_height=1e-3)
     share = 2 * 9.81 * 1e-3 / tester.speed**2
     for strength in (5e8, 1e9, 2e9):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Yield strength from restitution: value, and coverage of the interval."""
+"""Tests of the yield strength from restitution: its value, and its confidence interval."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ SPEEDS = np.geomspace(0.02, 0.3, 6)
 
 
 def thornton(strength: float, speeds: np.ndarray = SPEEDS) -> np.ndarray:
-    """Return restitutions of an aluminum sphere on a rigid plane."""
+    """Return the restitutions of an aluminum sphere on a rigid plane by the law `thornton`."""
     pair = laws.combine(laws.Body(70e9, 0.3, strength), laws.Body(1e30, 0.3))
     mass = 4 / 3 * np.pi * 0.005**3 * 2700
     return (
@@ -27,7 +27,10 @@ def thornton(strength: float, speeds: np.ndarray = SPEEDS) -> np.ndarray:
 
 @pytest.mark.parametrize("count", [1, 2, 5])
 def test_95_of_100_intervals_contain_the_strength(count):
-    """100 drop tests with 2 % noise. The interval is the wider of two 95 % intervals."""
+    """The interval contains the true strength in at least 95 of 100 drop tests with 2 % noise.
+
+    The interval is the wider of two 95 % confidence intervals.
+    """
     random = np.random.default_rng(count)
     true = thornton(TRUTH, SPEEDS[:count])
     contained = 0
@@ -46,9 +49,11 @@ def test_without_noise_the_strength_is_exact():
 
 
 def test_interval_of_one_drop_is_the_stated_scatter():
-    """Far beyond yield, restitution is proportional to the strength to the power 5/8.
+    """With one drop, the interval of the strength follows from the stated scatter.
 
-    Thornton 1997, eq. 25: (v_Y/v)^(1/4), with v_Y proportional to the strength to the power 5/2.
+    Far beyond yield, restitution is proportional to the strength to the power 5/8. This follows
+    from Thornton 1997, eq. 25: restitution is proportional to (v_Y/v)^(1/4), and v_Y to the
+    strength to the power 5/2.
     """
     speed = np.array([1.0])
     estimate = estimate_strength(lambda s: thornton(s, speed), thornton(TRUTH, speed), BOUNDS, 0.02)

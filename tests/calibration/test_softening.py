@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Softened materials keep their restitution, in theory and in LIGGGHTS."""
+"""Tests that softened materials keep their restitution, in theory and in LIGGGHTS."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from plastigran.materials import read_material
 
 STEEL = pg.material("steel")
 RADIUS, SPEED = 1e-3, 0.5
-#: Laws whose restitution depends only on v/v_Y and nu, and therefore does not change.
+#: Laws whose restitution depends only on v/v_Y and nu, so that softening does not change it.
 EXACT_LAWS = {"thornton", "vu_quoc_zhang", "kogut_etsion", "stronge", "brake_2012", "brake_2015"}
 
 
@@ -35,7 +35,8 @@ def test_restitution_stays(factor):
     for law in EXACT_LAWS:
         assert table.loc[law, "restitution_change"] == 0
     others = table.drop(list(EXACT_LAWS | {"hertz"}))
-    # Laws that contain sigma_Y/E or a/R change; mdr, a law for deep contacts, changes most.
+    # Softening changes the restitution of laws that contain sigma_Y/E or a/R. The change is largest
+    # for mdr, a law for deep contacts.
     assert (others["restitution_change"] > 0).all()
     assert (others["restitution_change"] < 0.2).all()
 
@@ -48,7 +49,11 @@ def test_time_step_and_overlap_grow_by_the_same_factor():
 
 
 def test_strength_must_be_softened_by_its_own_power():
-    """With an unchanged sigma_Y, nothing yields; with sigma_Y times s, the yield speed is lower."""
+    """Softening by a factor s must multiply sigma_Y by s^0.8 to keep the restitution.
+
+    With an unchanged sigma_Y, the spheres would not yield. With s sigma_Y, the yield speed would be
+    too low.
+    """
 
     def restitution(modulus_factor, strength_factor):
         changed = attrs.evolve(
@@ -65,7 +70,11 @@ def test_strength_must_be_softened_by_its_own_power():
 
 
 def test_restitution_of_viscous_spheres_stays():
-    """Restitution is a function of A (E*^2 v/m*^2)^(1/5), and A scales like a time."""
+    """Softening keeps the restitution of viscoelastic spheres.
+
+    Restitution is a function of A (E*^2 v/m*^2)^(1/5), with the dissipative constant A. Softening
+    multiplies A by the same factor as the contact time.
+    """
     ice = pg.material("ice")
     speeds = np.geomspace(1e-3, 1, 5)
     before, after = (
@@ -85,9 +94,10 @@ def test_lowest_factor_reaches_the_sound_overlap():
 
 @pytest.mark.parametrize("law", ["hertz", "thornton", "universal"])
 def test_lowest_factor_carries_the_bed(law):
-    """At the lowest factor, grains at rest in a bed reach the largest sound overlap.
+    """At the lowest softening factor, grains at rest in a bed reach the largest allowed overlap.
 
-    Softening lowers the yield strength but not the weight, so yielding grains overlap more.
+    Softening lowers the yield strength but not the weight, so that yielding grains overlap more
+    than elastic grains.
     """
 
     def rest(factor):
@@ -108,7 +118,10 @@ def test_lowest_factor_carries_the_bed(law):
 
 
 def test_overlap_in_a_bed_grows_with_depth():
-    """Hertz: overlap / R grows as the depth to the power 2/3 and does not depend on R."""
+    """In a bed of elastic grains, overlap/R grows as the depth to the power 2/3 (Hertz).
+
+    It does not depend on the radius R.
+    """
     shallow, deep = (resting_overlap(STEEL, RADIUS, depth) for depth in (0.1, 0.8))
     assert_allclose(deep / shallow, 4)
     assert_allclose(resting_overlap(STEEL, 10 * RADIUS, 0.1), shallow)
@@ -116,7 +129,10 @@ def test_overlap_in_a_bed_grows_with_depth():
 
 @pytest.mark.filterwarnings("ignore::plastigran.contact.RangeWarning")
 def test_restitution_stays_in_liggghts(tmp_path):
-    """With the recommended time steps of both runs, the error in restitution is up to 1e-3."""
+    """Softening does not change the restitution in LIGGGHTS beyond the error of the time step.
+
+    With the recommended time steps, this error is up to 1e-3.
+    """
     soft = soften(STEEL, 1e-2)
     runs = [
         pg.collide(["kogut_etsion"], [SPEED], body, radius=RADIUS, folder=tmp_path / body.name)

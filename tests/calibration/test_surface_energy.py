@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Surface energy from pull-off forces and sticking speeds."""
+"""Tests of the surface energy from pull-off forces and sticking speeds."""
 
 from __future__ import annotations
 
@@ -34,7 +34,10 @@ def bodies_in_contact(law, gamma, b, radius_other):
 @pytest.mark.parametrize("bodies", BODIES)
 @pytest.mark.parametrize("gamma", [1e-3, 0.2])
 def test_the_sticking_speed_of_a_law_gives_its_surface_energy(law, bodies, gamma):
-    """The relative tolerance is 1e-9, because both searches end at 1e-12."""
+    """Calibration with the sticking speed of a law returns the surface energy of this law.
+
+    The relative tolerance is 1e-9, because both numerical searches end at 1e-12.
+    """
     contact = bodies_in_contact(law, gamma, **bodies)
     speed = contact.sticking_speed
     found = calibrate_adhesion(POWDER, radius=RADIUS, sticking_speed=speed, law=law, **bodies)
@@ -45,8 +48,11 @@ def test_the_sticking_speed_of_a_law_gives_its_surface_energy(law, bodies, gamma
 @pytest.mark.parametrize("load", [0.0, 2e-6, 2e-5])
 @pytest.mark.parametrize("gamma", [1e-3, 0.2])
 def test_the_pull_off_force_after_a_load_gives_the_surface_energy(load, gamma):
-    """The measurement is the lowest force of a path, which 1e5 points resolve to 4e-7 of the
-    force."""
+    """Calibration with the pull-off force after a load returns the surface energy of the law.
+
+    The pull-off force is the lowest force of an unloading at 1e5 points, which resolve it to a
+    relative error of 4e-7.
+    """
     contact = bodies_in_contact("thornton_ning_1998", gamma, **BODIES[0])
     state, law, top = contact.law.State(), contact.law, 1e-12
     while law.respond(contact.radius_eff, top).force < load:
@@ -64,7 +70,11 @@ def test_the_pull_off_force_after_a_load_gives_the_surface_energy(load, gamma):
 
 @pytest.mark.parametrize("bodies", BODIES)
 def test_jkr_has_closed_forms(bodies):
-    """F_c = 3/2 pi Gamma R*; the sticking speed is proportional to Gamma^(5/6)."""
+    """For the law `jkr`, calibration agrees with the closed forms.
+
+    With the surface energy Gamma, the pull-off force is 3/2 pi Gamma R*, and the sticking speed is
+    proportional to Gamma^(5/6).
+    """
     radius_eff = 1 / (1 / RADIUS + 1 / (bodies["radius_other"] or 1e300))
     force = 1.5 * pi * 0.1 * radius_eff
     found = calibrate_adhesion(POWDER, radius=RADIUS, pull_off_force=force, **bodies)
@@ -79,8 +89,9 @@ def test_jkr_has_closed_forms(bodies):
 
 
 def test_flattening_increases_the_pull_off_force():
-    """After flattening, less surface energy gives the same force. Without load, the contact is
-    elastic.
+    """A plastically flattened contact needs less surface energy for the same pull-off force.
+
+    Without a load, the contact is elastic, and the surface energy is that of the law `jkr`.
     """
     find = {"radius": RADIUS, "pull_off_force": 2e-6, "law": "thornton_ning_1998"}
     gammas = [calibrate_adhesion(POWDER, load=load, **find).surface_energy for load in (0, 1e-5)]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The sphere of Zhang and Vu-Quoc (2002), and coarse settings that make tests fast."""
+"""The sphere of Zhang and Vu-Quoc (2002), and coarse finite-element settings for fast tests."""
 
 from plastigran.fem.material.elastic_plastic import ElasticPlastic
 from plastigran.fem.material.hardening import LinearHardening

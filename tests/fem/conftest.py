@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Computations that several tests use."""
+"""Finite-element computations of spheres that several tests share."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ def elastic_pressing():
 
 @pytest.fixture(scope="session")
 def plastic_pressing():
-    """Compression to 500 N, unloading, compression to 1500 N, and unloading."""
+    """Compression of a yielding sphere to 500 N and 1500 N, with unloading after each."""
     return press(METAL, RADIUS, [500.0, 1500.0], COARSE)
 
 

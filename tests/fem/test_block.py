@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Meshes of a half space."""
+"""Tests of the meshes of a half space."""
 
 from __future__ import annotations
 
@@ -30,8 +30,8 @@ TRACK = TrackBlock(half_length=0.02, element=2e-3, depth=5e-3, size=SIZE)
 def test_elements_fill_the_block(block, length, volume):
     body = Body(block.build(), METAL, length)
     assert body.volumes.min() > 0
-    # The base is a polygon of at least 12 sides per right angle, so the volume is up to 0.3 %
-    # smaller.
+    # The base is a polygon of at least 12 sides per right angle instead of an arc, so the volume is
+    # up to 0.3 % smaller.
     assert body.volumes.sum() == pytest.approx(volume, rel=5e-3)
     assert body.mass == pytest.approx(body.volumes.sum() * METAL.density, rel=1e-3)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Finite-element results that are stored on disk."""
+"""Tests of the cache of finite-element results on disk."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from plastigran.fem.sphere.press import press
 
 @pytest.fixture
 def counted(tmp_path, monkeypatch):
-    """A computation, and the list of its calls."""
+    """A function to cache, and the list of the calls that it received."""
     monkeypatch.setenv("PLASTIGRAN_CACHE", str(tmp_path))
     calls = []
 
@@ -92,7 +92,7 @@ def trapped(_: bytes) -> bytes:
     [lambda _: b"half", lambda whole: whole[:-9] + b"7" + whole[-8:], lambda _: b"", trapped],
 )
 def test_broken_file_is_computed_again(counted, damage):
-    """A pickle file in the place of a result is not loaded; the result is computed again."""
+    """A damaged file, or a pickle file in place of a result, is not loaded but computed again."""
     compute, calls = counted
     cached(compute, METAL, RADIUS, [5.0], settings=COARSE)
     (file,) = folder().iterdir()
@@ -102,7 +102,7 @@ def test_broken_file_is_computed_again(counted, damage):
 
 
 def test_a_result_comes_back_whole(tmp_path, monkeypatch):
-    """The result has tables and fields, and all its numbers are bitwise identical."""
+    """A result from the cache has the same tables and fields, bitwise identical."""
     monkeypatch.setenv("PLASTIGRAN_CACHE", str(tmp_path))
     first, again = (cached(press, METAL, RADIUS, [20.0], settings=COARSE) for _ in range(2))
     assert again is not first and again.material == first.material
@@ -160,7 +160,10 @@ def test_a_deep_tree_is_no_result():
 
 
 def test_a_cache_that_cannot_be_made_loses_no_result(counted, monkeypatch, tmp_path):
-    """The parent of the folder is a file, so even root cannot write there."""
+    """If the cache folder cannot be created, a warning appears and the result is returned.
+
+    The parent of the folder is a file, so that even root cannot create the folder.
+    """
     (tmp_path / "file").write_text("")
     monkeypatch.setenv("PLASTIGRAN_CACHE", str(tmp_path / "file" / "cache"))
     compute, _ = counted
@@ -171,7 +174,10 @@ def test_a_cache_that_cannot_be_made_loses_no_result(counted, monkeypatch, tmp_p
 
 
 def test_a_limit_of_file_sizes_loses_no_result(counted):
-    """As on a full disk, the incomplete file is deleted."""
+    """If a cache file cannot be completed, it is deleted and the result is returned.
+
+    A limit of file sizes has the same effect as a full disk.
+    """
     compute, _ = counted
     limits = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (100, limits[1]))

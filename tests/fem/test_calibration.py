@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Constants of Vu-Quoc and Zhang's law from finite elements."""
+"""Tests of the fit of Vu-Quoc and Zhang's law to finite elements."""
 
 from __future__ import annotations
 
@@ -17,7 +17,10 @@ SPHERE = HertzSphere(METAL, RADIUS)
 
 
 def law_pressing(widening: float, curvature: float) -> Pressing:
-    """Return a compression that follows the law exactly."""
+    """Return a compression that follows Vu-Quoc and Zhang's law exactly.
+
+    `widening` is C_a, m/N; `curvature` is K_c, 1/N.
+    """
     force = np.geomspace(10, 1500, 60)
     excess = np.maximum(force - SPHERE.yield_force, 0)
     radius = np.array([SPHERE.contact_radius(f) for f in force]) + widening * excess
@@ -42,8 +45,11 @@ def test_constants_of_a_loading_by_the_law_are_found():
 
 
 def test_law_with_the_paper_s_pair_gives_what_elements_give(plastic_pressing):
-    """At 1500 N, the end of the paper's fit, the law and the default settings differ by 0.2 % in
-    approach and 0.8 % in contact radius. The coarse mesh adds 2 %."""
+    """The law with the constants of its paper agrees with finite elements at 1500 N.
+
+    This force is the end of the paper's fit. There, the law and finite elements with the default
+    settings differ by 0.2 % in approach and 0.8 % in contact radius. The coarse mesh adds 2 %.
+    """
     force, excess = 1500.0, 1500.0 - SPHERE.yield_force
     radius = SPHERE.contact_radius(force) + 2.33e-7 * excess
     approach = radius**2 / (RADIUS * (1 + 2.69e-4 * excess))

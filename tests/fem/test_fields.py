@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Fields saved from a simulated impact, and values for their plots."""
+"""Tests of the field snapshots of a finite-element impact, and of the values for their plots."""
 
 from __future__ import annotations
 
@@ -14,15 +14,15 @@ from plastigran.fem.stepping.snapshot import at_vertices
 
 @pytest.fixture(scope="module")
 def followed():
-    """An impact with saved fields, followed for half of Hertz' contact time after the contact."""
+    """An impact with field snapshots; it ends half a Hertz contact time after the contact."""
     return throw(METAL, RADIUS, 0.02, attrs.evolve(COARSE, frames=10, free_steps=40))
 
 
 def test_frames_are_spread_over_the_contact(followed):
     times = np.array(list(followed.snapshots))
     assert len(times) >= 10
-    # There is one frame per tenth of Hertz' contact time, at most one step (an eightieth of it)
-    # late.
+    # There is one snapshot per tenth of Hertz' contact time. It may be one time step late, which is
+    # an eightieth of the contact time.
     assert np.diff(times).max() < 1.2 * times[-1] / (len(times) - 1)
     forces = [frame.force for frame in followed.snapshots.values()]
     assert 0.9 * followed.force_max < max(forces) <= followed.force_max
@@ -54,8 +54,8 @@ def test_values_at_corners_stay_within_those_of_the_gauss_points(plastic_pressin
     assert top.mises.min() <= mises.min() < mises.max() <= top.mises.max()
     constant = at_vertices(top, np.full(len(top.mises), 3.0))
     assert constant == pytest.approx(np.full(len(top.vertices), 3.0))
-    # The error of a linear field is its change from a corner to the Gauss point, within half an
-    # element.
+    # For a linear field, the error is its change from a corner to the closest Gauss point, which is
+    # less than half an element away.
     height = at_vertices(top, top.positions[:, 1])
     longest = np.ptp(top.vertices[top.quads], axis=1).max()
     assert np.abs(height - top.vertices[:, 1]).max() < 0.5 * longest

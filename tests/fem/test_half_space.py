@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A sphere on a half space that is elastic or yields."""
+"""Tests of a sphere on a half space that is elastic or yields."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ STIFF = attrs.evolve(ELASTIC, youngs_modulus=70e14)  # 1e5 times as stiff as the
 
 @pytest.fixture(scope="module")
 def indentation():
-    """A stiff sphere that indents a metal, up to E*a/(sigma_Y R) = 10."""
+    """Compression of a stiff sphere that indents a metal, up to E*a/(sigma_Y R) = 10."""
     return press(STIFF, RADIUS, [1500.0], COARSE, plane=METAL)
 
 
@@ -53,8 +53,9 @@ def test_forces_on_both_bodies_are_opposite():
 
 
 def test_half_space_yields_below_its_surface_at_the_force_of_the_sphere():
-    """The pressure of a Hertzian contact is the same on both bodies, so the half space yields at
-    the same force as a sphere.
+    """A metal half space yields at the same force as a sphere of the same metal.
+
+    The reason is that the pressure of a Hertz contact is the same on both bodies.
     """
     force = 1.15 * HertzSphere(METAL, RADIUS).yield_force
     pair = HertzSphere(STIFF, RADIUS, METAL)
@@ -68,8 +69,10 @@ def test_half_space_yields_below_its_surface_at_the_force_of_the_sphere():
 
 
 def test_indentation_pressure_is_of_the_order_of_the_expanding_cavity(indentation):
-    """The expanding cavity of Johnson (1985), sec. 6.3, is an estimate; here it errs by up to 15
-    %."""
+    """The mean pressure agrees with Johnson's expanding-cavity model within 15 %.
+
+    The model (Johnson 1985, sec. 6.3) is only an estimate.
+    """
     top = indentation.unloadings.iloc[0]
     strength = METAL.hardening.yield_strength
     strain = METAL.youngs_modulus * top["contact_radius"] / (RADIUS * strength)
@@ -88,8 +91,11 @@ def test_indentation_leaves_a_dent_and_dissipates(indentation):
 
 
 def test_impact_on_a_half_space_radiates_a_little_energy():
-    """For equal bodies, Hunter (1957), J. Mech. Phys. Solids 5:162, estimates a loss of 1.04
-    (v/c)^(3/5) of the energy, with c = sqrt(E/rho) and a Poisson's ratio of 0.25."""
+    """Elastic waves in the half space carry away the energy that Hunter (1957) estimates.
+
+    For equal bodies with a Poisson's ratio of 0.25, the lost fraction of the energy is 1.04
+    (v/c)^(3/5), with the impact speed v and c = sqrt(E/rho) (J. Mech. Phys. Solids 5:162).
+    """
     impact = throw(ELASTIC, RADIUS, SPEED, COARSE, plane=ELASTIC)
     sound = np.sqrt(ELASTIC.youngs_modulus / ELASTIC.density)
     lost = 1 - impact.coefficient_of_restitution**2

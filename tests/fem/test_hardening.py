@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Spheres of metals that harden, and of a metal whose flow stress grows with strain rate."""
+"""Tests of spheres of metals that harden, or whose flow stress grows with the strain rate."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ HARDENING = attrs.evolve(METAL, hardening=LinearHardening(STRENGTH, MODULUS))
 
 @pytest.fixture(scope="module")
 def hardened():
-    """Compression to 1500 N on a mesh finer than COARSE; the contact area is accurate to 1 %."""
+    """Compression of a hardening sphere to 1500 N; the mesh gives the contact area within 1 %."""
     settings = attrs.evolve(COARSE, divisions=5, fineness=1.0, growth=1.1)
     return press(HARDENING, RADIUS, [1500.0], settings)
 
@@ -35,9 +35,10 @@ def test_hardening_leaves_less_and_gives_back_more(hardened, plastic_pressing):
 def test_pressure_collapses_with_an_effective_strength_as_tabor_s(hardened):
     """With an effective strength, the mean pressure of a hardening sphere follows one curve.
 
-    Let sigma = sigma_Y + 0.2 H a/R and X = (a/a_Y) sigma_Y/sigma. The mean pressure, divided by
-    p_Y sigma/sigma_Y, is 2.678 - 2.012 (1 + 1.73 (X - 1))^-0.226. This fit to other finite elements
-    is accurate to 1.5 %; with sigma_Y instead of sigma, the error would be 5 %."""
+    The effective strength is sigma = sigma_Y + 0.2 H a/R, with the hardening slope H. With
+    X = (a/a_Y) sigma_Y/sigma, the mean pressure divided by p_Y sigma/sigma_Y is
+    2.678 - 2.012 (1 + 1.73 (X - 1))^-0.226. This fit to other finite elements is accurate to 1.5 %;
+    with sigma_Y instead of sigma, the error would be 5 %."""
     sphere = HertzSphere(METAL, RADIUS)
     yield_radius = sphere.contact_radius(sphere.yield_force)
     yield_pressure = 1.5 * sphere.yield_force / (pi * yield_radius**2)
@@ -73,9 +74,11 @@ def test_table_that_saturates_gives_back_more_than_perfect_plasticity(plastic_pr
 
 
 def test_impact_at_a_rate_is_that_of_a_metal_as_strong_at_that_rate(plastic_throw):
-    """A strain of 0.01 within a millisecond is a rate of 1 to 100 per second. With a reference rate
-    of 1e-6 per second, this rate raises the flow stress by 14 to 18 %. The rate falls late in the
-    loading, so the strength of the other metal is 14 % higher.
+    """A rate-dependent metal rebounds like a metal whose strength is 14 % higher.
+
+    In the impact, the strain rate is 1 to 100 per second. With the reference rate of 1e-6 per
+    second, these rates raise the flow stress by 14 to 18 %. Late in the loading the rate is low, so
+    that the lower value counts.
     """
     fast = throw(attrs.evolve(METAL, rate=RateFactor(0.01, 1e-6)), RADIUS, 0.02, COARSE)
     strong = attrs.evolve(METAL, hardening=LinearHardening(1.14 * STRENGTH))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Logarithmic finite strain, at material points and in a compressed sphere."""
+"""Tests of logarithmic finite strain, at material points and in a compressed sphere."""
 
 from __future__ import annotations
 
@@ -25,8 +25,9 @@ STEP = 1e-6  # step of the central differences
 
 @pytest.fixture
 def gradients():
-    """Displacement gradients up to some tenths. Some are tiny or zero, and some have equal or
-    nearly equal principal stretches."""
+    """Displacement gradients up to some tenths.
+
+    Some are tiny or zero, and some have equal or nearly equal principal stretches."""
     result = np.random.default_rng(3).normal(scale=0.15, size=(300, 5))
     result[:50] *= 1e-4
     result[50:60] = 0
@@ -42,8 +43,7 @@ def changed(gradients, component, sign):
 
 
 def differences(function, gradients):
-    """Return the derivatives of m quantities with respect to the displacement gradient (n, m,
-    5)."""
+    """Return central differences of m quantities by the displacement gradient (n, m, 5)."""
     return np.stack(
         [
             (function(changed(gradients, c, 1)) - function(changed(gradients, c, -1))) / (2 * STEP)
@@ -81,7 +81,8 @@ def test_tangent_is_the_derivative_of_the_stress(gradients):
     points, tangent = FINITE.tangent(gradients, response, METAL.elastic_tangent)
     slopes = differences(lambda at: FINITE.conjugate(at, answer(at).stress), gradients)
     error = np.abs(slopes[points] - tangent).max(axis=(1, 2)) / METAL.youngs_modulus
-    # The limit holds for 98 % of the points, because a point may begin to flow within the step.
+    # The limit holds for 98 % of the points, because a point may begin to yield within the step of
+    # the central difference.
     assert np.quantile(error, 0.98) < 1e-5
 
 
@@ -112,7 +113,10 @@ def test_rotation_turns_the_stress_with_the_body(gradients):
 
 
 def test_plastic_flow_keeps_the_volume(gradients):
-    """Only pressure changes the volume: ln J = tr T / 3K, for any plastic strain."""
+    """Plastic strain does not change the volume: ln J = tr T / 3K.
+
+    J is the volume ratio, T the stress and K the bulk modulus.
+    """
     response = METAL.respond(FINITE.strain(gradients), State.undeformed(len(gradients)))
     rr, yy, tt, ry, yr = gradients.T
     volume = ((1 + rr) * (1 + yy) - ry * yr) * (1 + tt)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Von Mises plasticity at material points."""
+"""Tests of von Mises plasticity at material points."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from plastigran.fem.material.elastic_plastic import ElasticPlastic, State
 from plastigran.fem.material.hardening import LinearHardening, RateFactor, TabulatedHardening
 from plastigran.fem.stepping.snapshot import mises_stress
 
-ROUNDING = 1e-9  # relative error of stresses; the return to the flow stress converges to 1e-13
+ROUNDING = 1e-9  # tolerance of relative stress errors; the radial return converges to 1e-13
 YIELD, MODULUS = 100e6, 2e9
 HARDENINGS = [
     LinearHardening(YIELD),
@@ -26,7 +26,7 @@ def metal(hardening, rate=None):
 
 @pytest.fixture
 def strains():
-    """Strains of several yield strains in all directions."""
+    """Random strains in all directions, of several times the yield strain."""
     return np.random.default_rng(1).normal(scale=5e-3, size=(200, 4))
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The mesh of a sphere, and the forces, strains and mass of its elements."""
+"""Tests of the mesh of a sphere, and of the forces, strains and mass of its elements."""
 
 from __future__ import annotations
 
@@ -57,14 +57,15 @@ def test_elements_are_fine_where_the_contact_is():
     mesh = SphereMesh(radius=RADIUS, core=CORE, reach=REACH, divisions=4).build()
     ends = np.sort(mesh.p[0][mesh.facets[:, mesh.boundaries["circle"]]], axis=0)
     size = (ends[1] - ends[0])[(ends[1] < REACH) & (ends[0] > CORE)]
-    # An edge is about pi/48 = 0.065 of its distance from the axis; the number of rings is rounded.
+    # The length of an edge is about pi/48 = 0.065 times its distance from the axis. The limit is
+    # larger, because the number of rings is rounded.
     assert np.all(size < 0.08 * REACH)
 
 
 def test_mass_is_that_of_the_sphere(body, mesh):
     share = 0.5 if "equator" in mesh.boundaries else 1.0
-    # Edges are parabolas through three points of the circle, so elements of 0.4 rad lack 1e-4 of
-    # the mass.
+    # Element edges are parabolas through three points of the circle. With elements of 0.4 rad, the
+    # mass is therefore 1e-4 too small.
     assert body.mass == pytest.approx(share * 2699 * 4 / 3 * pi * RADIUS**3, rel=2e-4)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A sphere compressed on a plane, compared with Hertz, finer meshes and its own energies.
+"""Tests of a sphere pressed on a plane: comparison with Hertz, finer meshes and energy balance.
 
 The reference values of the elastic-plastic sphere are results of this solver with its default
 settings, which are converged to 0.5 %. The coarse mesh and steps of the tests add 1.5 %.
@@ -33,8 +33,8 @@ def test_elastic_sphere_follows_hertz(elastic_pressing):
     history = elastic_pressing.history
     loaded = history[history["force"] > 50]
     expected = [HERTZ.approach(force) for force in loaded["force"]]
-    # At 200 N, the approach of a sphere of finite size is up to 0.15 % smaller; the mesh adds as
-    # much.
+    # At 200 N, the approach of a sphere of finite size is up to 0.15 % below Hertz' value. The mesh
+    # adds an error of the same size.
     assert_allclose(loaded["approach"], expected, rtol=5e-3)
 
 

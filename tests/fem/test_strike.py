@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A rigid cylinder on a body in plane strain."""
+"""Tests of the impact of a rigid cylinder on a body in plane strain."""
 
 from __future__ import annotations
 

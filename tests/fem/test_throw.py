@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Impact of a sphere on a plane."""
+"""Tests of the impact of a sphere on a plane."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ def energy(history):
 
 
 def test_elastic_sphere_rebounds_with_its_speed(elastic_throw):
-    # The contact lasts 30 periods of the fundamental mode, so 1e-6 of the energy stays in the
-    # sphere.
+    # The contact lasts 30 periods of the fundamental mode, so only 1e-6 of the energy stays in the
+    # sphere as vibration.
     assert elastic_throw.coefficient_of_restitution == pytest.approx(1, abs=1e-3)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Vibrations of an elastic sphere after an impact, compared with exact modes and Hertz."""
+"""Tests of the vibrations of an elastic sphere after an impact, with exact modes and Hertz."""
 
 from __future__ import annotations
 
@@ -37,8 +37,9 @@ def slow():
 
 @pytest.fixture(scope="module")
 def exact():
-    """Frequencies of the modes that a normal impact can excite, up to the highest of the 12
-    computed modes."""
+    """Exact frequencies of the vibration modes that a normal impact can excite [Hz].
+
+    They end at the highest of the 12 computed modes."""
     sphere = ICE.youngs_modulus, ICE.poissons_ratio, ICE.density, RADIUS
     return impact_modes(*sphere, highest=270e3)["frequency"].to_numpy()
 
@@ -106,8 +107,10 @@ def test_peaks_of_the_spectrum_are_modes_of_the_sphere(vibration, exact, signal)
 
 
 def test_normal_impact_breathes_and_does_not_twist(vibration):
-    """The impact excites the radial mode, 143.67 kHz, and not the toroidal mode of degree 1, 186.49
-    kHz."""
+    """The impact excites the radial mode at 143.67 kHz.
+
+    It does not excite the toroidal mode of degree 1 at 186.49 kHz.
+    """
     found = vibration.peaks("equator_displacement")["frequency"].to_numpy()
     assert np.min(np.abs(found / 143.67e3 - 1)) < 0.01
     assert np.min(np.abs(found / 186.49e3 - 1)) > 0.03
@@ -120,15 +123,19 @@ def test_energies_of_the_modes_are_at_most_what_is_left(vibration):
 
 @pytest.mark.parametrize("kind", ["vibration", "slow"])
 def test_strongest_vibration_is_what_the_pulse_of_the_force_excites(kind, request):
-    """A mode of unit mass gets half the square of its displacement at the contact times the Fourier
-    integral of the force. The slow impact excites the mode of degree 2 most, the fast impact degree
-    3."""
+    """The energy of the strongest mode follows from its Fourier integral of the contact force.
+
+    For unit modal mass, the energy is (u F)^2/2, with the modal displacement u at the contact and
+    the Fourier integral F of the force at the frequency of the mode. The slow impact excites the
+    mode of degree 2 most, the fast impact the mode of degree 3.
+    """
     found = request.getfixturevalue(kind)
     mode = found.modes.loc[found.modes["energy"].idxmax()]
     time = found.history["time"] - found.timestep / 2
     phase = np.exp(2j * np.pi * mode["frequency"] * time)
     pulse = np.abs(np.sum(phase * found.history["force"])) * found.timestep
-    # The force acts on an area, a/R = 0.02 and 0.1, which changes the energy by some per cent.
+    # The force acts on an area with a/R = 0.02 or 0.1, not at a point, which changes the energy by
+    # some per cent.
     assert mode["energy"] == pytest.approx((mode["contact_displacement"] * pulse) ** 2 / 2, rel=0.1)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Papers, reproduced with coarse meshes once for all tests and all workers of pytest."""
+"""Fixtures: papers that are reproduced with coarse meshes, once for all workers of pytest."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from plastigran.cli import main
 
 @pytest.fixture(scope="session")
 def coarse(workers_folder) -> Callable[[str], Path]:
-    """`coarse(name)` returns the folder that `plastigran reproduce NAME --coarse` writes."""
+    """Function that returns the results folder of `plastigran reproduce NAME --coarse`."""
 
     def run(name: str) -> Path:
         folder = workers_folder / f"paper_{name}"
@@ -31,5 +31,5 @@ def coarse(workers_folder) -> Callable[[str], Path]:
 
 @pytest.fixture(scope="session")
 def coarse_table(coarse) -> Callable[[str, str], pd.DataFrame]:
-    """`coarse_table(name, table)` reads a table from the folder of `coarse(name)`."""
+    """Function `coarse_table(name, table)` that reads a table of a paper reproduced by `coarse`."""
     return lambda name, table: pd.read_csv(coarse(name) / f"{table}.csv")

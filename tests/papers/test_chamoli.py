@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The vibrating sphere of the thesis, with coarse meshes and short flights."""
+"""Tests of the vibrating sphere of Chamoli's thesis, with coarse meshes and short flights."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Benchmark of Dosta et al. 2024: published data, and small versions of the cases."""
+"""Tests of the benchmarks of Dosta et al. 2024: the published data, and small versions."""
 
 from __future__ import annotations
 
@@ -16,8 +16,9 @@ from plastigran.papers.dosta24.silo import RATES, whole_rate
 
 
 def test_published_impact_has_the_printed_ranges():
-    """At 30, 50 and 100 ms, the lowest and highest mean displacements [mm] of the eight codes
-    agree with the paper.
+    """The lowest and the highest displacement of the ball among the eight codes are as printed.
+
+    The data file and the paper agree at 30, 50 and 100 ms. The displacements are in mm.
     """
     printed = {0.03: (-136.7, -136.0), 0.05: (-115.1, -108.5), 0.1: (-67.5, -44.1)}
     for time, expected in printed.items():
@@ -25,12 +26,15 @@ def test_published_impact_has_the_printed_ranges():
             1e3 * code.loc[code["time"].sub(time).abs().idxmin(), "displacement"]
             for code in eight_codes().values()
         ]
-        # Means of one column may differ from the printed ones by the rounding to 0.1 mm.
+        # The printed displacements are rounded to 0.1 mm.
         assert [min(means), max(means)] == pytest.approx(expected, abs=0.2)
 
 
 def test_published_ball_falls_freely_onto_the_bed():
-    """Before the contact at 21 ms, the ball falls at 5 m/s and 9.8 m/s^2, to 0.1 mm."""
+    """Before the contact at 21 ms, the published ball falls freely, within 0.1 mm.
+
+    It starts at 5 m/s and accelerates at 9.81 m/s^2.
+    """
     for code in [*eight_codes().values()]:
         early = code[(code["time"] > 0) & (code["time"] < 0.02)]
         time = early["time"]
@@ -38,7 +42,10 @@ def test_published_ball_falls_freely_onto_the_bed():
 
 
 def test_published_silo_discharges_at_the_printed_rate():
-    """The paper states mean rates in thousand grains per second; the codes differ by 5 %."""
+    """The mean discharge rate of the published silo data agrees with the paper within 5 %.
+
+    The rates of the codes differ by 5 %. Rates are in thousand grains per second.
+    """
     for orifice, expected in RATES.items():
         for table in silo(orifice).values():
             assert table["held"].iloc[0] == 100000
@@ -46,7 +53,11 @@ def test_published_silo_discharges_at_the_printed_rate():
 
 
 def test_an_empty_silo_has_the_rate_until_it_is_empty():
-    """100 000 grains at 1000 per second leave the silo empty after 99.9 s."""
+    """The mean discharge rate covers only the time until the silo is empty.
+
+    100 000 grains leave the silo at 1000 per second. It is empty after 100 s; later values do not
+    change the rate.
+    """
     time = np.arange(0, 130.0, 0.9)
     held = np.maximum(100000 - 1000 * time, 0)
     table = pd.DataFrame({"time": time, "held": held})
@@ -55,7 +66,10 @@ def test_an_empty_silo_has_the_rate_until_it_is_empty():
 
 
 def test_published_drum_begins_half_in_zone_2():
-    """At the start, half of the grains lie at x < 0, all below the axis, and none in zone 1."""
+    """At the start of the published drum data, half of the grains are in zone 2, none in zone 1.
+
+    Zone 2 is x < 0, z < 0; zone 1 is x > 0, z > 0.
+    """
     start = drum()["MUSEN"].iloc[0]
     assert start[["small_1", "large_1"]].tolist() == [0, 0]
     # Half of 30000 and of 8000 grains, within the scatter of random positions.
@@ -64,7 +78,10 @@ def test_published_drum_begins_half_in_zone_2():
 
 
 def test_free_flight_continues_a_run(coarse):
-    """A ball that only gravity slows down flies freely; a ball in the bed has no value."""
+    """After the end of a run, the position of the ball is known only if the ball flies freely.
+
+    The free flight then continues the run. For a ball in the bed, the position is NaN.
+    """
     run = open_run(coarse("dosta24") / "impact_800_hertz_1" / "part_1")
     end = run.series["time"].iloc[-1]
     assert np.isnan(impact.displacement_at(2 * end, run))
@@ -77,7 +94,7 @@ def test_free_flight_continues_a_run(coarse):
 
 
 def test_small_cases(coarse, coarse_table):
-    """Small versions run, and their results satisfy simple physical bounds."""
+    """Small versions of the three benchmarks run, and their results satisfy simple bounds."""
     deck = open_run(coarse("dosta24") / "impact_800_thornton_1" / "part_1").deck
     depth = coarse_table("dosta24", "impact").set_index("quantity").loc["largest depth"]
     to_floor = -1e3 * (deck.ball_height - deck.ball_radius)
@@ -85,8 +102,8 @@ def test_small_cases(coarse, coarse_table):
     for law in ("hertz", "thornton"):  # the ball enters the bed and does not pass the floor
         assert 1.01 * to_floor < depth[law] < to_bed - 2 * 1e3 * deck.radius
     energies = coarse_table("dosta24", "impact_energies").iloc[0]
-    # The energy input is the kinetic energy of the ball and its weight times the depth. The
-    # settling of the bed adds some energy.
+    # The energy input is the kinetic energy of the ball plus its weight times the depth. The bed
+    # settles, which adds some energy.
     mass = 4 / 3 * np.pi * deck.ball_radius**3 * STEEL
     brought = mass * (deck.ball_speed**2 / 2 + 9.81 * -depth["thornton"] / 1e3)
     assert brought * 0.99 < energies["energy (J)"] < brought * 1.2

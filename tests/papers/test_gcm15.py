@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The oblique rod of Ghaednia, Cermik and Marghitu, at one speed."""
+"""Tests of the oblique rod of Ghaednia, Cermik and Marghitu (2015), at one speed."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The cylinder of Katta and Polycarpou, on coarse meshes."""
+"""Tests of the sliding cylinder of Katta and Polycarpou (2010), on coarse meshes."""
 
 from __future__ import annotations
 

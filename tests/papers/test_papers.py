@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Every paper has a page with the tables and figures that the command writes."""
+"""Tests that every paper has a page with the tables and figures of `plastigran reproduce`."""
 
 from __future__ import annotations
 

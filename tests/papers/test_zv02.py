@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The sphere of Zhang and Vu-Quoc, on coarse meshes."""
+"""Tests of the sphere of Zhang and Vu-Quoc (2002), on coarse meshes."""
 
 from __future__ import annotations
 

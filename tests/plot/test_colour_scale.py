@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Color scales have round numbers and prefixes of units."""
+"""Tests that color scales have round numbers, and units with prefixes such as mm."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Drawings of meshes and fields, and movies."""
+"""Tests of the drawings of meshes and fields, and of movies."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from plastigran.plot.fields import draw_field, draw_mesh
 from plastigran.plot.movie import Movie, save_movie
 from plastigran.plot.style import subplots
 
-#: Two adjacent squares.
+#: Corners of a mesh of two adjacent squares.
 VERTICES = np.array([[0, 0], [1, 0], [2, 0], [0, 1], [1, 1], [2, 1]], float)
 QUADS = np.array([[0, 1, 4, 3], [1, 2, 5, 4]])
 

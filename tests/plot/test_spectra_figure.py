@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figure of collision spectra."""
+"""Test of the figure of collision spectra."""
 
 from __future__ import annotations
 
@@ -10,9 +10,10 @@ from plastigran.plot.spectra import spectra_figure
 
 
 def test_classes_without_impacts_are_a_gap():
-    """The figure shows a gap where a class has no impacts, and omits the class of round-off, 1e-24.
+    """The histogram has a gap where an energy class has no impacts.
 
-    The energies are smaller than the default absolute tolerance of numpy.
+    The class at 1e-24 J, which is only round-off, is omitted. All energies of the test are below
+    numpy's default absolute tolerance, which must not make classes equal.
     """
     lower = np.array([1e-24, 1e-15, 2e-15, 8e-15, 1e-3])
     classes = pd.DataFrame({"lower": lower, "upper": 2 * lower, "count": [7, 1, 2, 3, 4]})

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Style of figures. No module loads pyplot, which would select a backend for the user."""
+"""Tests of the style of figures.
+
+No module of the package may load pyplot, because pyplot would select a backend for the user.
+"""
 
 from __future__ import annotations
 
@@ -29,7 +32,10 @@ def settings() -> list[object]:
 
 
 def test_style_keeps_the_settings_of_the_user(tmp_path):
-    """Equal figures give equal files, and the settings of the user stay."""
+    """Drawing a figure leaves the user's matplotlib settings and backend unchanged.
+
+    Two equal figures give bitwise identical files.
+    """
     before, backend = settings(), matplotlib.get_backend(auto_select=False)
     written = []
     for name in ("one", "two"):

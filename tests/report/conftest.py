@@ -24,7 +24,7 @@ SPEEDS = (0.001, 0.01, 0.1)
 
 @pytest.fixture(scope="session")
 def hopper(brief_run) -> Path:
-    """Folder of a short run of the hopper, with frames."""
+    """Folder of a short bulk run of the hopper deck, with snapshots of the grains."""
     return brief_run("hopper").folder
 
 
@@ -51,7 +51,7 @@ def sweep_folder(shared) -> Path:
 
 @pytest.fixture(scope="session")
 def page_file(shared, sweep_folder, hopper) -> Path:
-    """Report page on the sweep, the hopper and an empty folder."""
+    """Report page on the sweep, the bulk run of the hopper and an empty folder."""
     page = shared / "report.html"
     with open(shared / "report.lock", "w") as lock:
         flock(lock, LOCK_EX)
@@ -77,7 +77,7 @@ def browser() -> Iterator[Browser]:
 
 
 class Visit:
-    """Page in the browser, with its console messages and requests."""
+    """A page in the browser, with its console messages and its network requests."""
 
     def __init__(self, page: Page) -> None:
         self.page = page
@@ -97,7 +97,7 @@ class Visit:
 
 @pytest.fixture(scope="session")
 def visit(browser, page_file) -> Iterator[Visit]:
-    """The page, opened once; each test resets the switches that it uses."""
+    """The report page, opened once for all tests; each test resets the switches that it uses."""
     with browser.new_context(viewport=WINDOW) as context:
         context.set_default_timeout(TIMEOUT)
         visit = Visit(context.new_page())

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""In a browser, the report page has no errors, needs no network, and all its controls work."""
+"""Tests of the report page in a browser: no errors, no network, and all controls work."""
 
 from __future__ import annotations
 
@@ -13,19 +13,19 @@ from playwright.sync_api import Locator, Page, expect
 
 
 def pixels(element: Locator) -> np.ndarray:
-    """Return the picture of an element, (height, width, 3)."""
+    """Return a screenshot of an element as an array (height, width, 3)."""
     element.scroll_into_view_if_needed()
     return np.asarray(Image.open(BytesIO(element.screenshot())).convert("RGB"), int)
 
 
 def drawn(seen: np.ndarray) -> float:
-    """Return the fraction of pixels that differ from the background."""
+    """Return the fraction of the pixels of a picture that differ from the background."""
     ground = seen[2, 2]
     return float((np.abs(seen - ground).max(axis=2) > 24).mean())
 
 
 def settle(page: Page) -> None:
-    """Wait for two frames of the browser, in which it draws."""
+    """Wait until the browser has drawn the page two more times."""
     page.evaluate(
         "() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))"
     )
@@ -208,7 +208,7 @@ def test_page_has_a_dark_and_a_light_theme(page):
     page.wait_for_selector("#run-0-measured[data-drawn=light]")
 
 
-#: Adds switches of laws, or removes them if the number is negative.
+#: Script that adds switches of laws to the page, or removes them if the number is negative.
 MORE_LAWS = """number => {
   const row = document.querySelector(".chips");
   for (let k = 0; k < number; k++) row.append(row.lastElementChild.cloneNode(true));

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Parallel finite-element computations."""
+"""Tests of parallel finite-element computations."""
 
 from __future__ import annotations
 
@@ -82,7 +82,8 @@ def test_workers_end_with_their_parent(stop, tmp_path):
     script = tmp_path / "waiting.py"
     script.write_text(WAITING)
     started = subprocess.Popen(
-        # A background process ignores Ctrl-C, and its children inherit this.
+        # Restore the default reaction to Ctrl-C. A background process ignores Ctrl-C, and its child
+        # processes inherit this.
         ["env", "--default-signal=INT", sys.executable, script],
         stdout=subprocess.PIPE,
         stderr=subprocess.DEVNULL,
@@ -90,7 +91,7 @@ def test_workers_end_with_their_parent(stop, tmp_path):
         process_group=0,
     )
     assert started.stdout.readline() == "started\n"
-    if stop == signal.SIGINT:  # a terminal sends it to all processes
+    if stop == signal.SIGINT:  # on Ctrl-C, a terminal sends this signal to all processes
         os.killpg(started.pid, stop)
     else:
         started.send_signal(stop)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Sections of the report page on complete, unfinished, failed and damaged results."""
+"""Tests of the report page for complete, unfinished, failed and damaged results."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ UNKNOWN = {"coefficient_of_restitution": None, "force_max": None}
 
 
 def section(folder: Path) -> Section:
-    """Return the section of the only result in a folder."""
+    """Return the section of the page for the only result in a folder."""
     (results,) = collect([folder])
     return make_section(results)
 
@@ -61,13 +61,13 @@ def truncate(file: Path, fraction: float) -> None:
 
 @pytest.fixture
 def copied(hopper, tmp_path) -> Path:
-    """Copy of the hopper run that a test may damage."""
+    """Copy of the results of the hopper deck, which a test may damage."""
     return Path(shutil.copytree(hopper, tmp_path / "hopper"))
 
 
 @pytest.fixture
 def copied_sweep(sweep_folder, tmp_path) -> Path:
-    """Copy of the sweep that a test may damage."""
+    """Copy of the results of the sweep, which a test may damage."""
     return Path(shutil.copytree(sweep_folder, tmp_path / "speeds"))
 
 
@@ -161,9 +161,9 @@ def test_verdict_counts_warnings(copied, count, words):
 
 
 def test_user_deck_shows_law_and_time_step_of_the_log(tmp_path):
-    """For a user's deck, law and time step come from the log.
+    """For a user's own deck, the page takes the law and the time step from the log.
 
-    The deck has no setting `law`, and its time step depends on the radius.
+    The deck of this test has no setting `law`, and computes its time step from the radius.
     """
     deck = write_deck(tmp_path / "mine", "thornton", "soft_granules")
     text = re.sub(r"^variable law .*\n", "", deck.read_text(), flags=re.MULTILINE)
@@ -202,7 +202,10 @@ def test_damaged_record_is_named(copied, text):
     ],
 )
 def test_damaged_entry_of_a_record_is_named(copied, entry, value, capsys):
-    """A report and an attempt to continue the damaged run both show the error."""
+    """If an entry of run.json is damaged, the error message names the entry.
+
+    The report and an attempt to continue the run both show this message.
+    """
     edit_json(copied / "run.json", {entry: value})
     made = section(copied)
     assert made.verdict == "record damaged"
@@ -281,7 +284,7 @@ def test_loops_belong_to_their_law_and_speed(sweep_folder):
     fastest = table[table["speed"] == 0.1].sort_values("law")
     (panel,) = loops.views["0.1 m/s"]
     for curve, force in zip(panel.curves, fastest["force_max"], strict=True):
-        # A chart keeps 40 or more points of a loop, which may miss the largest force by 2 %.
+        # A chart keeps at least 40 points of a loop, which may miss the largest force by 2 %.
         assert max(curve.y) == pytest.approx(force, rel=0.02)
 
 
@@ -361,7 +364,10 @@ def test_damaged_trajectories_are_named(copied_sweep):
 
 
 def test_loops_belong_to_their_radius(copied_sweep):
-    """Loops have the radius of their trajectories, the middle one of three radii in the table."""
+    """Force-overlap loops are assigned to the impacts with the radius of the trajectory.
+
+    The results table has three radii; only the middle one has trajectories.
+    """
     table = pd.read_csv(copied_sweep / "impacts.csv")
     others = [table.assign(radius=table["radius"] * factor) for factor in (0.5, 2)]
     pd.concat([others[0], table, others[1]]).to_csv(copied_sweep / "impacts.csv", index=False)
@@ -392,9 +398,10 @@ def test_theory_replaces_an_earlier_sweep(copied_sweep):
 
 
 def test_errors_of_a_law_are_for_the_speeds_of_the_sweep():
-    """The expected error of a law covers the speeds of the sweep.
+    """The expected error of a law holds for the range of speeds in the sweep.
 
-    It is unknown below yield, at speeds beyond the finite elements, and for unknown materials.
+    The error is unknown below yield, at speeds beyond the finite elements, and for unknown
+    materials.
     """
 
     def theory(**settings) -> Trust:
@@ -487,7 +494,10 @@ def test_command_writes_a_page_and_keeps_other_files(tmp_path, capsys):
 
 
 def test_full_disk_keeps_the_earlier_page(tmp_path):
-    """If the disk is full, the earlier page, or a link to a page, stays, and no temporary file."""
+    """If the disk is full, the earlier page stays unchanged, and no temporary file remains.
+
+    If the page is a symbolic link, a new report replaces its target, not the link.
+    """
     (tmp_path / "results").mkdir()
     page = write_report([tmp_path / "results"], tmp_path / "report.html")
     before = page.read_text()

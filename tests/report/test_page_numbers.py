@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Numbers on the report page: packed frames, cells, axes, colors."""
+"""Tests of numbers on the report page: packed frames, table cells, axes and colors."""
 
 from __future__ import annotations
 
@@ -48,7 +48,10 @@ def test_frames_are_packed_to_16_bits(hopper):
 
 
 def test_times_of_frames_are_those_of_the_charts(hopper):
-    """Frames have the times of the charts; frames before the start have negative times."""
+    """Snapshots of the grains have the same times as the charts.
+
+    Snapshots before the start of the charts have negative times.
+    """
     last = find_frames(hopper)[-1].step
     movie, _ = pack_movie(hopper, lambda step: (step - last) * 2e-5)
     head = gzip.decompress(base64.b64decode(movie.data)).split(b"\n", 1)[0]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`validate` and `reproduce` fill the tables of the pages and write their figures."""
+"""Tests that `validate` and `reproduce` write tables and figures into pages of the docs."""
 
 from __future__ import annotations
 

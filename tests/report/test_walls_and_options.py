@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Reports on impacts that differ in wall, options and material."""
+"""Tests of reports on impacts that differ in wall, options and material."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def section(folder: Path):
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory) -> Path:
-    """Sweep of zirconia on a rigid wall and on steel, where the wall yields."""
+    """Folder of a sweep: zirconia on a rigid wall, and on a steel wall, which yields."""
     folder = tmp_path_factory.mktemp("walls")
     fields = {"radius": 0.0025, "wall": WALLS, "options": OPTIONS}
     collide("universal", [1, 3], "zirconia", folder=folder, **fields)
@@ -66,7 +66,10 @@ def test_errors_are_known_only_for_rigid_walls_and_default_options(folder):
 
 
 def test_error_is_unknown_on_a_metal_wall(tmp_path):
-    """The expected error is unknown, because finite elements exist only for a rigid plane."""
+    """On a metal wall, the expected error of a law is unknown.
+
+    The reason is that finite elements exist only for a rigid plane.
+    """
     collide("universal", [0.1, 1], "steel", 0.005, folder=tmp_path / "metal", wall="zirconia")
     (row,) = section(tmp_path / "metal").trust
     assert row.not_validated == ["Steel on Zirconia"]
@@ -74,7 +77,10 @@ def test_error_is_unknown_on_a_metal_wall(tmp_path):
 
 
 def test_sweep_records_the_material_of_the_user(tmp_path):
-    """The page shows constants and errors of the user's material after its file is deleted."""
+    """A sweep records the user's material, so that its file may be deleted afterwards.
+
+    The page still shows the constants of the material and the errors of the laws.
+    """
     steel = read_material("steel").variables()
     material = Material("mine", **steel | {"yield_strength": 7e8})
     write_material(material, tmp_path / "mine.in", "By a tensile test.")
@@ -131,7 +137,7 @@ def test_yielding_wall_gives_a_warning(folder):
 
 
 def test_wall_does_not_split_a_curve_over_geometry():
-    """Impacts on a wall and between spheres share a curve, although only the first have a wall."""
+    """Impacts on a wall and impacts between spheres share one curve, if only geometry varies."""
     geometries = ["sphere_wall", "two_spheres"]
     table = CentralImpact.theory(law=["thornton"], speed=0.1, geometry=geometries).table
     predicted = {f"{name}_predicted": table[name] for name in ("force_max", "overlap_max")}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The comparison of every law with the finite elements of spheres, computed once."""
+"""Fixture: the comparison of every law with finite elements of spheres, computed once."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Oblique impacts of spheres, measured by Kharaz, Gorham and Salman."""
+"""Tests of theory and LIGGGHTS with oblique impacts that Kharaz, Gorham and Salman measured."""
 
 from __future__ import annotations
 
@@ -18,11 +18,12 @@ def computed() -> pd.DataFrame:
 
 @pytest.mark.engine
 def test_errors_of_partial_slip(computed):
-    """Errors of partial slip are below 0.03 in restitution and 45 rad/s in spin.
+    """The errors of the theory of partial slip are below 0.03 in restitution and 45 rad/s in spin.
 
-    The targets were 0.02 and 10 rad/s; the limits were set after the first run. Two digitizations
-    of the measurements differ by 0.005 and 6 rad/s. At 39 degrees, the sphere slides throughout,
-    so friction limits its spin; the measured spin exceeds this limit by 44 rad/s.
+    The targets were 0.02 and 10 rad/s; these limits were set after the first comparison. Two
+    digitizations of the measurements differ by 0.005 and 6 rad/s. At 39 degrees, the sphere slides
+    during the whole contact, so that friction limits its spin; the measured spin exceeds this limit
+    by 44 rad/s.
     """
     error = {
         name: (part[PARTIAL_SLIP] - part["value"]).abs()
@@ -44,8 +45,8 @@ def test_beyond_30_degrees_both_theories_slide(computed):
 def test_liggghts_has_its_spring_and_slider(computed):
     run = computed[computed["incident_angle"].isin(FEW_ANGLES)].dropna()
     assert len(run) == len(FEW_ANGLES)
-    # In LIGGGHTS, the plane is rigid instead of glass, which changes the tangential stiffness by 3
-    # %.
+    # In LIGGGHTS, the plane is rigid instead of glass. This changes the tangential stiffness by
+    # 3 %.
     assert run["LIGGGHTS, history"].to_numpy() == pytest.approx(run[SPRING].to_numpy(), rel=0.01)
     restitution = run[run["quantity"] == "restitution"]
     assert restitution["LIGGGHTS, history"].item() == pytest.approx(
@@ -55,8 +56,10 @@ def test_liggghts_has_its_spring_and_slider(computed):
 
 @pytest.mark.engine
 def test_partial_slip_in_liggghts_has_the_measured_restitution():
-    """The tangential restitution agrees within 0.03 at all angles, a target that was set before the
-    first run. The measurement has an uncertainty of about 0.02."""
+    """The tangential restitution in LIGGGHTS agrees with the measurement within 0.03 at all angles.
+
+    This target was set before the first run. The measurement has an uncertainty of about 0.02.
+    """
     measured = oblique.measured()
     restitution = measured[measured["quantity"] == "restitution"]
     table = oblique.computed(restitution["incident_angle"])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Every yielding law compared with the finite elements of spheres."""
+"""Tests of the comparison of the elasto-plastic laws with finite elements of spheres."""
 
 from __future__ import annotations
 
@@ -17,7 +17,10 @@ def test_every_yielding_law_and_every_row_is_compared(compared):
 
 
 def test_the_errors_of_universal_are_for_metals_outside_its_fit(compared):
-    """No held-out metal is a metal of the fit, and together they are all metals."""
+    """The errors of `universal` are for the held-out metals, none of which is in its fit.
+
+    Held-out metals and metals of the fit together are all metals.
+    """
     metals = compared.groupby("law")["metal"].unique().map(set)
     held_out, fitted = metals["universal"], metals[laws_on_spheres.ON_FITTED_METALS]
     assert held_out == set(table().query("set == 'held'")["metal"])
@@ -26,8 +29,10 @@ def test_the_errors_of_universal_are_for_metals_outside_its_fit(compared):
 
 
 def test_errors_of_an_invented_law():
-    """Two rows lie in one regime, and one row lies in another regime. Errors of 3 % and 4 % have an
-    rms of 3.54 %.
+    """The errors of an invented law are grouped by speed regime.
+
+    Two impacts with errors of 3 % and 4 % lie in one regime; their rms error is 3.54 %. One impact
+    lies in another regime.
     """
     compared = pd.DataFrame(
         {

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Laws for steel of known hardness, without a fit, and the causes of their mean error."""
+"""Tests of the laws for rebounds from steel of known hardness, and of causes of their errors."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import pytest
 
 from plastigran.validation import dented_steel, offset, steel
 
-#: Law with the smallest error for the table of rebounds.
+#: Law with the smallest error for the rebounds of Leeb device D from steel.
 NEAREST = "universal"
 
 
@@ -23,8 +23,12 @@ def rate(rebounds) -> pd.DataFrame:
 
 
 def test_the_nearest_law_has_the_slope_of_the_table_and_its_level_with_the_rate(rebounds, rate):
-    """The uncertainty of the table is 5 % in restitution. Tables of other manufacturers differ from
-    this one by 4 % in HV, which changes the slope of restitution versus hardness by 1.7 %."""
+    """The law with the smallest error agrees with the Leeb table within its uncertainty.
+
+    The uncertainty of the table is 5 % in restitution. Tables of other manufacturers differ by 4 %
+    in HV, which changes the slope of restitution versus hardness by 1.7 %. The slope agrees without
+    and the level with the strain-rate dependence of steel.
+    """
     nearest = steel.summary(rebounds).iloc[0]
     assert nearest["law"] == NEAREST
     assert nearest["rms about the mean"] < 1.7
@@ -36,7 +40,10 @@ def test_the_strain_rate_raises_the_restitution_of_every_law(rate):
 
 
 def test_causes_of_the_mean_error_have_the_expected_sign(monkeypatch):
-    """Stronger steel releases more energy; a softer ball stores more of the same energy."""
+    """Each uncertainty changes the restitution in the expected direction.
+
+    Stronger steel releases more energy. A softer ball stores a larger part of the energy.
+    """
     ends = steel.leeb_table().iloc[[0, -1]]
     monkeypatch.setattr(steel, "leeb_table", lambda: ends)
     parts = offset.budget(NEAREST).set_index(["source", "change"])["mean (%)"]
@@ -53,7 +60,9 @@ def test_causes_of_the_mean_error_have_the_expected_sign(monkeypatch):
 
 
 def test_finite_elements_are_within_the_uncertainty_of_the_table():
-    """The table has an uncertainty of 5 % in restitution. The finite elements use no contact
-    law."""
+    """Finite elements, which need no contact law, agree with the Leeb table within 5 %.
+
+    This is the uncertainty of the table in restitution.
+    """
     compared = dented_steel.comparison(NEAREST)
     assert compared["finite elements vs measured (%)"].abs().max() < 5

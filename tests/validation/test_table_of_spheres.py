@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The computation of the table of spheres, with coarse finite elements."""
+"""Tests of the finite-element table of spheres, and of its computation with coarse meshes."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def test_loading_continues_where_an_unloading_began(released):
 
 
 def test_rows_are_those_of_the_table(released):
-    """Coarse elements are within 5 % of the table for the same metal and forces."""
+    """Results on a coarse mesh are within 5 % of the stored table for the same metal and forces."""
     computed, stored = rows(METAL, released), table()
     stored = stored[(stored["metal"] == METAL.name) & (stored["force_ratio"] < 5.5)]
     assert list(computed.columns) == list(stored.columns)

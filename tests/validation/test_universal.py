@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The law `universal`, compared with finite elements of metals that its fit did not use."""
+"""Tests of the law `universal` with finite elements of metals that its fit did not use."""
 
 from __future__ import annotations
 
@@ -24,8 +24,10 @@ from plastigran.validation.spheres.metals import METALS
     ],
 )
 def test_errors_for_metals_outside_the_fit(compared, speeds, small_and_plastic, largest_error):
-    """Errors for held-out metals are below the targets: 1 %, or 2 % for hardening metals, large a/R
-    and high speeds."""
+    """The errors for held-out metals are below the targets.
+
+    The target is 1 %, and 2 % for hardening metals, large a/R and high speeds.
+    """
     errors = compared[compared["law"] == "universal"]
     errors = errors.merge(table()[["metal", "speed_ratio", "contact_radius_over_radius"]])
     errors = errors[errors["contact_radius_over_radius"] <= 0.1]
