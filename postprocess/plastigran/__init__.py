@@ -12,8 +12,8 @@
     flow = pg.bulk("hopper", law="thornton", ranks=2)    # or pg.open("results/hopper")
     flow.series, flow.checks, flow.figures["hopper"]
 
-A public name is imported at its first use, which shortens the start of programs. Type checkers read
-the plain imports below `TYPE_CHECKING`.
+The package imports a public name at its first use, so that `import plastigran` is fast. Type
+checkers read the plain imports below `TYPE_CHECKING`.
 """
 
 from importlib import import_module

@@ -8,11 +8,11 @@ import sys
 
 
 def start() -> int:
-    """Run the command and return its exit code, also if Ctrl-C interrupts the import of modules."""
-    # Handle SIGTERM, which batch systems send to stop a job, like Ctrl-C.
+    """Run the command and return its exit code; Ctrl-C during imports gives exit code 130."""
+    # Treat SIGTERM like Ctrl-C. Batch systems send SIGTERM to stop a job.
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:
-        # Import this slow module here, so that Ctrl-C during the import is handled.
+        # Import this slow module inside `try`: Ctrl-C during the import then prints no traceback.
         from plastigran.cli import main
 
         return main()

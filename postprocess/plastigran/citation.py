@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Citations of the software, and of the sources of laws, as BibTeX."""
+"""BibTeX citations of this software and of the publications that introduced its contact laws."""
 
 from __future__ import annotations
 
@@ -14,18 +14,18 @@ SOFTWARE = "plastigran"
 
 
 def entries() -> dict[str, str]:
-    """Return every entry of `plastigran/data/sources.bib` as BibTeX, by key."""
+    """Return the BibTeX entries in `plastigran/data/sources.bib`, by citation key."""
     text = (files("plastigran") / "data" / "sources.bib").read_text(encoding="utf-8")
     return {match[2]: match[0] for match in ENTRY.finditer(text)}
 
 
 def fields(entry: str) -> dict[str, str]:
-    """Return the fields of an entry, such as `author`, `year` and `keywords`."""
+    """Return the fields of a BibTeX entry, such as `author`, `year` and `keywords`."""
     return dict(FIELD.findall(entry))
 
 
 def subjects() -> dict[str, list[str]]:
-    """Return the keys of the BibTeX entries for each law and for `rate_factor`."""
+    """Return the citation keys for each law, and for `rate_factor`, the strain-rate dependence."""
     keys: dict[str, list[str]] = {}
     for key, entry in entries().items():
         for subject in fields(entry)["keywords"].split(", "):
@@ -34,17 +34,18 @@ def subjects() -> dict[str, list[str]]:
 
 
 def cite(names: Iterable[str] | str = ()) -> str:
-    """Return BibTeX of the software and of the sources of some laws.
+    """Return BibTeX of the software and of the publications of some contact laws.
 
     Args:
-        names: Names of laws, or `rate_factor`. Without names, only the software is cited.
+        names: Names of laws, or `rate_factor` for the strain-rate dependence of the yield strength.
+            Without names, only the software is cited.
 
     Returns:
-        The BibTeX entry of the software and the entries of the sources, each once. Comment lines
-        before the entries name the laws that only this software describes.
+        The BibTeX entry of the software and the entries of the publications, each once. Comment
+        lines before the entries name the laws that have no other publication than this software.
 
     Raises:
-        ValueError: A name has no entry; the message lists the names that have an entry.
+        ValueError: A name is unknown; the message lists the available names.
     """
     names = [names] if isinstance(names, str) else list(names)
     sources, bibtex = subjects(), entries()

@@ -45,14 +45,15 @@ class Contact:
             density, have an infinite mass.
         friction: Coefficient of friction [-].
         tangential: Name of the tangential law, for `oblique_impact`.
-        rings: Number of rings of `partial_slip`, 2 to 8.
-        constants: Constants and options of the law. You can omit constants that the material of a
-            defines (the material of b if a is rigid). If `surface_energy` is given, a law that is
-            elastic before yield includes JKR adhesion, as with `adhesion jkr` in a deck.
+        rings: Number of concentric rings into which the tangential law `partial_slip` divides the
+            contact area, 2 to 8.
+        constants: Constants and options of the law. You can omit constants that the material of
+            body a defines (of body b if body a is rigid). If `surface_energy` is given, a law that
+            is elastic before yield includes JKR adhesion, as with `adhesion jkr` in a deck.
 
     Attributes:
         law: Law between the bodies, an instance of a class of `plastigran.laws.LAWS`.
-        pair: Constants of the two bodies.
+        pair: Combined constants of the two bodies, such as the effective Young's modulus E*.
         tangential: Tangential law between the bodies, of `plastigran.laws.TANGENTIAL_LAWS`.
         radius_eff: Effective radius R* [m].
 
@@ -104,12 +105,15 @@ class Contact:
         """Effective mass m* [kg].
 
         Raises:
-            ValueError: No body has a mass.
+            ValueError: No body has a finite mass, and no `mass_eff` was given.
         """
         if self._mass_eff is None:
             inverse = sum(1 / mass for mass in map(self._mass, self._bodies, self._radii))
             if inverse == 0:
-                raise ValueError("no body has a density and a radius. Give mass_eff [kg]")
+                raise ValueError(
+                    "the effective mass is unknown, because no body has both a density and a "
+                    "radius. Give mass_eff [kg]"
+                )
             return 1 / inverse
         return self._mass_eff
 
@@ -152,11 +156,13 @@ class Contact:
     def yield_overlap(self) -> float:
         """Overlap at which the weaker body first yields [m]; infinite for a law without yield.
 
-        For spheres, the yield overlap is R* (pi p_y/(2 E*))^2. The largest Hertzian pressure then
-        equals the contact yield pressure p_y of the weaker body (Johnson, Contact Mechanics, 1985,
-        sec. 6.1). For cylinders, the mean pressure at yield is 1.5 sigma_Y (Katta & Polycarpou
-        2010, J. Tribol. 132:041402). All laws for the same shape have the same yield overlap. The
-        curve of a law may leave the elastic curve at a smaller or larger overlap.
+        For spheres, the yield overlap is R* (pi p_y/(2 E*))^2. R* is the effective radius, and E*
+        the effective Young's modulus. At this overlap, the largest Hertzian pressure equals the
+        yield pressure p_y of the weaker body (Johnson, Contact Mechanics, 1985, sec. 6.1). For
+        cylinders, the mean pressure at yield is 1.5 sigma_Y, with the yield strength sigma_Y (Katta
+        & Polycarpou 2010, J. Tribol. 132:041402). All laws for the same shape have the same yield
+        overlap. The force of a law may deviate from the elastic force from a smaller or larger
+        overlap on.
 
         Raises:
             ValueError: The contact of a cylinder at yield is too large for the thickness of the
@@ -169,8 +175,8 @@ class Contact:
         """Force at `yield_overlap` [N]; infinite for a law without yield.
 
         The yield force is pi^3 p_y^3 R*^2/(6 E*^2) for spheres, and 36 sigma_Y^2 R* L/(pi E*) for
-        cylinders.
-        The sources and the exceptions are those of `yield_overlap`.
+        cylinders of length L. The docstring of `yield_overlap` defines the other symbols and gives
+        the sources and exceptions.
         """
         return self._yield()[0]
 
@@ -178,8 +184,9 @@ class Contact:
     def yield_speed(self) -> float:
         """Closing speed v_y of a central impact that just reaches `yield_overlap` [m/s].
 
-        The yield speed follows from 1/2 m* v_y^2 = W_y, the elastic work up to yield. For spheres,
-        W_y = 2/5 F_y overlap_y. For a law without yield, the yield speed is infinite.
+        The yield speed follows from 1/2 m* v_y^2 = W_y, where W_y is the elastic work up to yield.
+        For spheres, W_y is 2/5 of the product of `yield_force` and `yield_overlap`. For a law
+        without yield, the yield speed is infinite.
 
         Source: Thornton 1997, J. Appl. Mech. 64:383, eq. 22.
 
@@ -193,12 +200,12 @@ class Contact:
         """Largest closing speed of a central impact at which the bodies stick [m/s].
 
         The sticking speed is 0 for a law without adhesion, and if the bodies rebound at all speeds
-        above 1e-6 m/s. For `jkr`, it has a closed form,
-        `plastigran.physics.adhesion.jkr_sticking_speed`.
+        above 1e-6 m/s. For the law `jkr`, `plastigran.physics.adhesion.jkr_sticking_speed` is the
+        closed form of the sticking speed.
 
         Raises:
-            ValueError: The bodies stick at the highest speed that can be computed, up to 100 m/s;
-                or no body has a mass.
+            ValueError: The bodies still stick at the highest speed that can be computed, at most
+                100 m/s; or no body has a mass.
         """
         if not self.law.adhesive:
             return 0.0
@@ -270,7 +277,7 @@ class Contact:
             return oblique_impacts(law, self.tangential, *bodies, speeds, angles)
 
         flat = speeds.ravel(), angles.ravel()
-        if self.pair.rate_coefficient:  # each impact has a different yield strength
+        if self.pair.rate_coefficient:  # the yield strength depends on the impact speed
             parts = [
                 compute(self.law.at_impact(self.radius_eff, float(rate)), *np.atleast_1d(*impact))
                 for rate, *impact in zip(closing.ravel(), *flat, strict=True)
@@ -300,7 +307,7 @@ class Contact:
         return outcome.coefficient_of_restitution
 
     def timestep(self, speed: ArrayLike) -> float | np.ndarray:
-        """Return the time step [s] at which the error of the restitution is 1e-3.
+        """Return the time step [s] at which the coefficient of restitution has an error of 1e-3.
 
         Args:
             speed: Closing speeds [m/s], of any shape; the result has the same shape.
@@ -333,7 +340,9 @@ def _read_body(name: str, body: Bodylike) -> Material | laws.Body:
         return body
     if isinstance(body, Material | str | Path):
         return read_material(body)
-    raise ValueError(f"{name} is {body!r}; it must be a material, its name or RIGID")
+    raise ValueError(
+        f"{name} is {body!r}; it must be a Material, the name or file of a material, or RIGID"
+    )
 
 
 def _properties(body: Material | laws.Body) -> laws.Body:

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Declarations of quantities as attrs fields, with unit, bounds and meaning.
 
-Cases of experiments and settings of bulk decks are attrs classes of such fields. Values may be
-numbers or the text of a deck. The constructor checks the values; its error message names the field,
-the value and the allowed range. Command lines, tables and pages of the docs read the `declarations`
-of a class.
+The inputs of an experiment and the settings of a bulk deck are attrs classes with such fields. A
+value may be a number or its text, such as "0.3". The constructor checks the values; its error
+message names the field, the value and the allowed range. Help texts, tables and pages of the docs
+take units and meanings from the `declarations` of a class.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ class Declaration:
         lower_allowed, upper_allowed: Whether the value may equal the bound.
         choices: Allowed words.
         value_type: Type of the value: float, int or str.
-        usual: Usual range. A value outside this range causes a warning to check the unit.
+        usual: Usual range. Outside this range, a warning recommends to check the unit.
     """
 
     meaning: str
@@ -153,14 +153,14 @@ def require(instance: Any, name: str, **bounds: float | bool) -> None:
             `upper_allowed`.
 
     Raises:
-        ValueError: The value is out of range; the message names it and the range.
+        ValueError: The value is out of range; the message contains the value and the range.
     """
     declaration = declarations(type(instance))[name]
     _check_range(name, getattr(instance, name), attrs.evolve(declaration, **bounds))
 
 
 def read_number(name: str, value: Any, declaration: Declaration) -> float:
-    """Return a value as a number that a declaration allows.
+    """Convert a value to a number, and check that a declaration allows it.
 
     Raises:
         ValueError: The value is not a number or out of range; the message contains `name`.
@@ -171,14 +171,14 @@ def read_number(name: str, value: Any, declaration: Declaration) -> float:
 
 
 def read_float(name: str, value: Any, unit: str) -> float:
-    """Return a value as a number of any size.
+    """Convert a value to a number, without a check of its range.
 
     Raises:
         ValueError: The value is not a number; the message contains `name` and the unit.
     """
     try:
         if isinstance(value, bool) or (isinstance(value, str) and "_" in value):
-            raise ValueError  # reject text that Python, but not LIGGGHTS, reads as a number
+            raise ValueError  # reject "1_000", which LIGGGHTS does not read as a number
         return float(value)
     except (TypeError, ValueError):
         raise ValueError(f"{name} is {value!r}, not a number [{unit}]") from None

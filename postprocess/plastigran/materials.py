@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Materials: one file per material in `inputs/materials`, which decks include and Python reads.
 
-An installed package contains these files. You can also use files of your own in the same format:
-give the path of a file, or set $PLASTIGRAN_INPUTS to your own folder of input scripts.
+An installed package contains these files. You can also use your own files in the same format: give
+the path of a file, or set $PLASTIGRAN_INPUTS to your own folder of input scripts.
 """
 
 from __future__ import annotations
@@ -25,8 +25,8 @@ if TYPE_CHECKING:
 #: Wall that neither deforms nor yields.
 RIGID = laws.Body(1e30, 0.3)
 
-#: Reserved words in tables and folder names, for the wall `RIGID`, no wall, and default options.
-#: These words cannot be names of materials.
+#: Words in results tables and folder names that stand for the wall `RIGID`, for no wall, and for
+#: default options of a law. These words cannot be names of materials.
 RIGID_WALL, NO_WALL, USUAL = TAKEN = "rigid", "none", "default"
 #: Allowed names of materials.
 _NAME = re.compile(r"\w([\w .+-]*[\w.+-])?")
@@ -39,7 +39,7 @@ SURFACE_ENERGY = Declaration("work of adhesion", "J/m^2", 0, 1e3, True, True)
 
 
 def body_constant(name: str, required: bool = False) -> Any:
-    """Declare a field for a constant of a body; `laws.Body` checks the range.
+    """Declare a field for a material constant of one body; `laws.Body` checks the range.
 
     Args:
         name: Name in `BODY_CONSTANTS`.
@@ -96,8 +96,9 @@ class Material:
     def variables(self, suffix: str = "") -> dict[str, float]:
         """Return the constants as deck variables, in SI units.
 
-        Without suffix, these are all constants that are set. With a suffix, for example for a wall,
-        they are the constants of `BODY_CONSTANTS`, and the suffix is added to each name.
+        Without suffix, the result contains all constants that are set. With a suffix, for example
+        for a wall, it contains the constants of `BODY_CONSTANTS`, with the suffix added to each
+        name.
         """
         if suffix:
             return {f"{name}{suffix}": getattr(self, name) for name in BODY_CONSTANTS}
@@ -224,7 +225,10 @@ def read_material(name: Material | str | Path) -> Material:
         raise ValueError(f"{name!r} is not a material; it must be a Material, a name or a path")
     path = Path(name)
     if path.suffix == ".in" and not path.is_file():
-        raise ValueError(f"no file {path}; materials known by name are {', '.join(names())}")
+        raise ValueError(
+            f"the material file {path} does not exist. Materials available by name: "
+            f"{', '.join(names())}"
+        )
     if path.suffix != ".in":
         path = folder() / f"{name}.in"
     if not path.is_file():
@@ -275,7 +279,7 @@ def _check_lines(file: Path) -> None:
 
 
 def material_lines(material: Material) -> str:
-    """Return the constants that are set, as lines of a material file."""
+    """Return the lines of a material file with the constants that the material defines."""
     declared = declarations(Material)
     return "\n".join(
         f"variable {name:22s} index {value:<18.12g} # {declared[name].unit}"
@@ -306,7 +310,9 @@ def check_material_file(file: Path, force: bool = False) -> None:
     if file.suffix != ".in":
         raise ValueError(f"{file} cannot be a material file: its name must end in .in")
     if not file.parent.is_dir():
-        raise FileNotFoundError(f"no folder {file.parent} for {file.name}")
+        raise FileNotFoundError(
+            f"cannot write {file.name}: the folder {file.parent} does not exist. Create the folder"
+        )
     if file.exists() and not force:
         raise FileExistsError(f"{file} exists. Use --force to overwrite it")
 
@@ -314,13 +320,16 @@ def check_material_file(file: Path, force: bool = False) -> None:
 def material_field(
     meaning: str, default: str | attrs.NothingType | None = attrs.NOTHING, suffix: str = ""
 ):
-    """Declare a material field of a case; it accepts a Material, a name or a file path.
+    """Declare a field for the material of a body in an experiment.
+
+    The field accepts a Material, the name of a material, or the path of a material file.
 
     Args:
-        meaning: Meaning in words.
+        meaning: Meaning of the field in words.
         default: Default material; None for a rigid body. With None, the field is keyword-only and
             also accepts "rigid" and `RIGID`.
-        suffix: Suffix of the constants of the material in the deck.
+        suffix: Suffix of the deck variables that take the constants of this material, such as
+            "_other" in `youngs_modulus_other`.
     """
     return attrs.field(
         default=default,

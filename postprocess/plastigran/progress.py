@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Progress of long work on standard error: a bar on a terminal, otherwise lines of text."""
+"""Progress of long computations on standard error: a bar on a terminal, otherwise lines of text."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ FIRST, EVERY = 5.0, 10.0
 
 
 class ProgressBar(tqdm):
-    """Progress bar on a terminal; otherwise lines of text. Short work prints no line.
+    """Progress bar on a terminal; otherwise lines of text, but no line for a short computation.
 
     Args:
         *arguments: Positional arguments of tqdm.
@@ -29,7 +29,7 @@ class ProgressBar(tqdm):
         super().__init__(*arguments, file=sys.stderr, disable=not shown, **named)
 
     def reset(self, total: float | None = None) -> None:
-        """Start the bar again; `total` replaces the earlier total."""
+        """Set the bar back to zero; `total` replaces the earlier number of steps."""
         # Prevent tqdm.reset() from drawing a bar at zero.
         display, self.display = self.display, lambda *_, **__: False
         try:
@@ -38,7 +38,7 @@ class ProgressBar(tqdm):
             self.display = display
 
     def display(self, msg: str | None = None, pos: int | None = None) -> bool:
-        """Draw the bar, or print a line."""
+        """Draw the bar; without a terminal, print a line of text."""
         if self._in_place:
             return super().display(msg, pos)
         if msg is None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Selection of the laws that are usable for a shape of bodies and given materials."""
+"""Selection of the contact laws that suit the shape of the bodies and the given materials."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ from plastigran.materials import (
 def laws_for(shape: str, bodies: Iterable[Material] = ()) -> list[str]:
     """Return the names of the laws for bodies of a shape, "sphere" or "cylinder".
 
-    Laws with constants that no material can have, such as given stiffnesses, are omitted. Laws with
-    adhesion are also omitted, unless the materials have a surface energy.
+    The result omits laws with constants that no material can define, such as stiffnesses that the
+    user must choose. It also omits laws with adhesion, unless the materials have a surface energy.
 
     Args:
         shape: Shape of the bodies.
@@ -52,7 +52,7 @@ def choose_laws(names: Iterable[str], shape: str, bodies: Iterable[Material] = (
     omitted = sorted(set(laws_for(shape)) - set(usable) - set(names))
     if "all" in names and omitted:
         warnings.warn(
-            "some laws are left out, because the material lacks their constants: "
+            "some laws are left out, because the material does not define their constants: "
             + ", ".join(omitted),
             stacklevel=2,
         )
@@ -64,7 +64,7 @@ def warn_of_idle_surface_energy(names: Iterable[str], bodies: Iterable[Material]
     """Warn if a material has a surface energy that laws do not use.
 
     Args:
-        names: Names of laws, without a given surface energy.
+        names: Names of the laws in use. The user has given no surface energy for them.
         bodies: Materials.
 
     Warns:

@@ -134,7 +134,7 @@ def test_finite_elements_fit_the_constants_and_have_a_figure(capsys, tmp_path, c
             "--scatter is 0.1, but has no effect without --drop or --leeb",
         ),
         (["--yield", "3e8", "--radius", "0.2"], "--radius is 0.2, but has no effect without --fem"),
-        (["--yield", "3e8", "--finite-strain"], "--finite-strain needs --fem"),
+        (["--yield", "3e8", "--finite-strain"], "--finite-strain has no effect without --fem"),
         (["--yield", "3e8", "--force"], "--force is given, but has no effect without --output"),
         (["--hardness", "200", "--output", "metal.txt"], "must end in .in"),
         (["--drop", "nowhere.csv"], "plastigran: the file nowhere.csv does not exist"),

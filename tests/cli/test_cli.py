@@ -104,7 +104,7 @@ def test_timestep_of_every_law_reports_laws_that_are_left_out(capsys):
     said = capsys.readouterr()
     aluminium = read_material("aluminium_zv02")
     assert [row.split()[0] for row in said.out.splitlines()] == laws_for("sphere", [aluminium])
-    assert "left out, because the material lacks their constants: viscoelastic_hertz" in said.err
+    assert "left out, because the material does not define their constants: visc" in said.err
     assert "omitted: laws for cylinders. Use --geometry cylinder_wall" in said.err
     line = [*line[:-1], "glass_kp10", "--radius", "1e-5", "--geometry", "cylinder_wall"]
     assert main(line) == 0
@@ -120,9 +120,9 @@ def test_timestep_of_every_law_reports_laws_that_are_left_out(capsys):
         ("timestep --speed 1 --law all hook", "no law 'hook'"),
         ("impact --law lim_stronge", "lim_stronge is a law for cylinders"),
         ("impact --law thornton --speed 300", "no contact law is valid beyond 0.3"),
-        ("impact --speed 1 --speeds 1 2", "--speeds belongs to a range, but --speed gives the val"),
-        ("impact --points 0", "argument --points: 0 is not 1 or more"),
-        ("impact --jobs -1", "argument --jobs: -1 is not 1 or more"),
+        ("impact --speed 1 --speeds 1 2", "--speeds defines a range of values, but --speed gives"),
+        ("impact --points 0", "argument --points: 0 is not allowed; use 1 or more"),
+        ("impact --jobs -1", "argument --jobs: -1 is not allowed; use 1 or more"),
         ("impact --jobs two", "'two' is not a whole number"),
         *((f"impact --radius={value}", value) for value in ("-1", "0", "fast", "nan", "inf")),
     ],

@@ -128,7 +128,7 @@ def test_a_path_accounts_for_its_work():
         ({"mass_eff": [1, 2]}, r"mass_eff is \[1, 2\], not a number \[kg\]"),
         ({"radius_other": -1.0}, "radius_other is -1"),
         ({"mass_eff": 0.0}, "mass_eff is 0"),
-        ({"a": 7850.0}, "a is 7850.0; it must be a material, its name or RIGID"),
+        ({"a": 7850.0}, "a is 7850.0; it must be a Material, the name or file of a"),
         ({"b": "cheese"}, "no material 'cheese'. Available materials: alumina"),
         (
             {"law": "viscoelastic_hertz"},
@@ -144,7 +144,7 @@ def test_impossible_contacts_are_refused(changes, said):
 
 
 def test_bodies_without_mass_are_refused():
-    with pytest.raises(ValueError, match="no body has a density and a radius"):
+    with pytest.raises(ValueError, match="no body has both a density and a radius"):
         pg.Contact("hertz", pg.RIGID, STEEL.body(), radius=1e-3).restitution(1.0)
 
 

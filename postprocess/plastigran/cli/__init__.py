@@ -26,7 +26,7 @@ EXIT_CODES = {
     0: "success",
     1: "error in a value, a file or LIGGGHTS, or a failed check; see stderr",
     2: "invalid command line",
-    70: "internal error of plastigran; --verbose shows the trace",
+    70: "internal error of plastigran; --verbose prints the Python traceback",
     130: "stopped by Ctrl-C or SIGTERM; finished results are kept",
 }
 
@@ -40,7 +40,7 @@ def parser(wanted: str = "") -> argparse.ArgumentParser:
     listed = "\n".join(f"  {code:<4d}{meaning}" for code, meaning in EXIT_CODES.items())
     top = argparse.ArgumentParser(
         prog="plastigran",
-        description="Elasto-plastic contact laws for LIGGGHTS: runs and checks.",
+        description="Run, check and calibrate elasto-plastic contact laws for LIGGGHTS.",
         epilog=f"exit codes:\n{listed}\n\nplastigran COMMAND --help shows an example.",
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
@@ -73,7 +73,7 @@ def main(argv: list[str] | None = None) -> int:
         with warnings.catch_warnings():
             warnings.showwarning = _print_once()
             arguments.run(arguments)
-    except BrokenPipeError:  # the program that reads our output has ended
+    except BrokenPipeError:  # the program that reads the output, such as `head`, has ended
         sys.stderr.close()
     except KeyboardInterrupt as stop:  # if the exception has a text, it names the kept results
         output = getattr(arguments, "output", None)
@@ -86,9 +86,10 @@ def main(argv: list[str] | None = None) -> int:
 
 
 def _print_once() -> Callable[..., None]:
-    """Return a function that shows each warning text once.
+    """Return a function that prints a warning unless it has printed the same text before.
 
-    Python's own filters show a warning again after a library has changed the filters.
+    The filters of Python do not suffice: they show a warning again after a library has changed
+    them.
     """
     shown = set()
 
@@ -101,7 +102,7 @@ def _print_once() -> Callable[..., None]:
 
 
 def _report(error: Exception, arguments: argparse.Namespace) -> int:
-    """Print an error in one line, after the trace if --verbose is set; return the exit code."""
+    """Print an error in one line, after the traceback if --verbose is set; return the exit code."""
     if arguments.verbose:
         traceback.print_exception(error)
     if isinstance(error, EngineError | DumpError | ValueError | OSError):

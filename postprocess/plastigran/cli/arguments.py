@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Command-line arguments that several subcommands have."""
+"""Functions that add or read command-line arguments that several subcommands share."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def add_verbose(command: argparse.ArgumentParser, default: Any = argparse.SUPPRE
         "--verbose",
         action="store_true",
         default=default,
-        help="print the trace of an error",
+        help="print the Python traceback of an error",
     )
 
 
@@ -55,7 +55,9 @@ def add_json(command: argparse.ArgumentParser) -> None:
 def add_dry_run(command: argparse.ArgumentParser) -> None:
     """Add --dry-run, for commands that start LIGGGHTS."""
     command.add_argument(
-        "--dry-run", action="store_true", help="print command lines and folders, but start nothing"
+        "--dry-run",
+        action="store_true",
+        help="print command lines and folders, but start no simulation",
     )
 
 
@@ -89,8 +91,8 @@ def refuse_idle(arguments: argparse.Namespace, needed: str, **idle: object) -> N
 
     Args:
         arguments: Parsed arguments.
-        needed: Name of the other flag, as in the error message.
-        **idle: Default of each flag to check, by name of the parsed argument.
+        needed: Name of the other flag; the error message contains this name.
+        **idle: Default values of the flags to check, by the names of their parsed arguments.
 
     Raises:
         ValueError: A flag without effect is given; the message names it.
@@ -127,7 +129,7 @@ def positive(text: str) -> float:
     """Convert the text of an argument to a positive, finite number; errors as for `read_as`."""
     value = read_as(float, text)
     if not 0 < value < inf:
-        raise argparse.ArgumentTypeError(f"{text} is not positive and finite")
+        raise argparse.ArgumentTypeError(f"{text} is not allowed; use a positive, finite number")
     return value
 
 
@@ -135,13 +137,13 @@ def positive_integer(text: str) -> int:
     """Convert the text of an argument to a whole number of at least 1; errors as for `read_as`."""
     value = read_as(int, text)
     if value < 1:
-        raise argparse.ArgumentTypeError(f"{text} is not 1 or more")
+        raise argparse.ArgumentTypeError(f"{text} is not allowed; use 1 or more")
     return value
 
 
 def known_materials() -> str:
-    """Return help text that lists the allowed materials: "a file, or one of the names ..."."""
-    return f"a file, or one of the names {', '.join(materials.names())}"
+    """Return help text that lists the allowed values of a material argument."""
+    return f"a material file NAME.in, or one of the names {', '.join(materials.names())}"
 
 
 def add_laws(command: argparse.ArgumentParser, bodies: str) -> None:
@@ -151,7 +153,7 @@ def add_laws(command: argparse.ArgumentParser, bodies: str) -> None:
         nargs="+",
         default=["all"],
         metavar="LAW",
-        help=f"names of laws; default: all laws for {bodies}, if the material has their constants",
+        help=f"names of laws; default: all laws for {bodies} whose constants the material defines",
     )
 
 
@@ -171,7 +173,7 @@ def add_jobs(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--jobs",
         type=positive_integer,
-        help="number of LIGGGHTS processes at a time, default number of cores",
+        help="number of LIGGGHTS processes that run at the same time, default number of cores",
     )
 
 

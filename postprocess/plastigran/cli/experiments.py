@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Subcommands of experiments; the flags follow from the declared fields of the experiment."""
+"""Subcommands that run experiments. Their flags follow from the fields of the experiments."""
 
 from __future__ import annotations
 
@@ -49,7 +49,9 @@ def add_command(subparsers: Any, experiment: type[Experiment]) -> None:
     add_dry_run(command)
     if experiment.has_theory:
         command.add_argument(
-            "--theory", action="store_true", help="use theory alone, without LIGGGHTS"
+            "--theory",
+            action="store_true",
+            help="compute the impacts from the laws alone, without LIGGGHTS",
         )
     command.set_defaults(run=partial(run, experiment))
 
@@ -93,7 +95,7 @@ def _add_flag(
         command.add_argument(
             "--points",
             type=positive_integer,
-            help=f"number of values in the sweep, default {count}",
+            help=f"number of values of {word} in the sweep, default {count}",
         )
 
 
@@ -107,7 +109,7 @@ def _default(flag: Flag) -> str:
 
 
 def _reader(word: str, declaration: Declaration) -> Callable[[str], Any]:
-    """Return a function that reads the value of a flag and checks it by the declaration."""
+    """Return a function that converts the text of a flag and checks the value by a declaration."""
 
     def read(text: str) -> Any:
         value = read_as(declaration.value_type, text)
@@ -148,7 +150,7 @@ def run(experiment: type[Experiment], arguments: argparse.Namespace) -> None:
             show_study(runs, folder, arguments.json)
     else:
         _need_engine(experiment, settings.get("host", experiment.host))
-        with lock_folder(folder):  # hold the lock until the figures are written
+        with lock_folder(folder):  # keep the lock until the figures are written
             runs = experiment.study(folder, arguments.jobs, force=arguments.force, **settings)
             show_study(runs, folder, arguments.json)
 
@@ -167,7 +169,7 @@ def _need_engine(experiment: type[Experiment], host: str) -> None:
 
 
 def _settings(experiment: type[Experiment], arguments: argparse.Namespace) -> dict[str, Any]:
-    """Return the settings that the user gave as flags, and the values of sweeps."""
+    """Return the settings that the user gave as flags, with the values of a sweep as a list."""
     settings = {}
     for setting, flag in experiment.all_flags().items():
         value = getattr(arguments, setting)
@@ -184,21 +186,26 @@ def _values(
     values: list[float] | None,
     arguments: argparse.Namespace,
 ) -> Any:
-    """Return the values of the flag --WORD, or a geometric sequence over the range --WORDs.
+    """Return the values that the user gave, or a geometric sequence over a range.
 
-    `word` is WORD, for example "speed".
+    Args:
+        word: Name of the quantity, such as "speed". The flag --speed then gives values, the flag
+            --speeds gives the ends of a range, and --points gives the number of values.
+        default_range: Lowest value, highest value and number of values if no flag is given.
+        values: Values of the flag --speed; None if the flag is missing.
+        arguments: Parsed arguments.
 
     Raises:
-        ValueError: Both values and a range are given, or a range has two different ends but only
-            one point.
+        ValueError: The user gave both values and a range, or one point for a range with two
+            different ends.
     """
     ends, points = getattr(arguments, f"{word}s"), arguments.points
     if values is not None:
         for name, value in ((f"{word}s", ends), ("points", points)):
             if value is not None:
                 raise ValueError(
-                    f"--{name} belongs to a range, but --{word} gives the values. "
-                    "Remove one of them"
+                    f"--{name} defines a range of values, but --{word} gives single values. "
+                    "Remove one of the two flags"
                 )
         return values
     if points == 1 and ends and ends[0] != ends[1]:
@@ -211,7 +218,7 @@ def _values(
 
 
 def show_study(runs: Runs, folder: Path, json: bool = False) -> None:
-    """Print a summary of runs, or their table as JSON; write tables and figures into a folder."""
+    """Print a summary of the runs, or their table as JSON; write tables and figures to `folder`."""
     written = [str(path) for path in runs.write(folder)]
     if json:
         print_json({"table": runs.table.to_dict("records"), "written": written})

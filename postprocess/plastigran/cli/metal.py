@@ -23,8 +23,12 @@ def add_metal(command: argparse.ArgumentParser, radius: float | None = 0.1) -> N
     strength.add_argument(
         "--yield", type=positive, dest="yield_strength", help="yield strength, Pa"
     )
-    strength.add_argument("--elastic", action="store_true", help="the metal does not yield")
-    command.add_argument("--hardening", type=float, help="plastic modulus, Pa, default 0")
+    strength.add_argument("--elastic", action="store_true", help="elastic material without yield")
+    command.add_argument(
+        "--hardening",
+        type=float,
+        help="plastic modulus, which is the slope of stress versus plastic strain, Pa, default 0",
+    )
 
 
 def add_elastic(
@@ -41,7 +45,7 @@ def add_elastic(
     command.add_argument("--poisson", type=float, required=True, help="Poisson's ratio")
     for flag, default, meaning in (
         ("--density", density, "density, kg/m3"),
-        ("--radius", radius, "radius, m"),
+        ("--radius", radius, "radius of the sphere or cylinder, m"),
     ):
         shown = "" if default is None else f", default {default:g}"
         command.add_argument(
@@ -62,7 +66,8 @@ def add_strain(command: argparse.ArgumentParser) -> None:
         const="finite",
         default="small",
         dest="strain",
-        help="use finite strain, for a/R above 0.1; takes longer",
+        help="compute with finite strain, for contact radii above 0.1 times the radius of the "
+        "body; takes longer",
     )
 
 
@@ -82,7 +87,8 @@ def metal(arguments: argparse.Namespace) -> ElasticPlastic:
     """Return the metal that the flags of `add_metal` or `add_elastic` describe.
 
     Raises:
-        ValueError: A number is out of range, or the metal has a plastic modulus without yield.
+        ValueError: A number is out of range, or a plastic modulus is given without a yield
+            strength.
     """
     strength = getattr(arguments, "yield_strength", None)
     modulus = getattr(arguments, "hardening", None)
@@ -127,9 +133,10 @@ def _hardening(
 
 
 def computed(compute: Callable, *arguments: object, strain: str = "small", **named: object):
-    """Return the result of a computation, from the cache if possible.
+    """Return the result of a finite-element computation, from the cache if possible.
 
-    Warnings are printed on stderr. If the computation stops early, the reason is also printed.
+    The function prints warnings on stderr. If the computation stops early, it also prints the
+    reason.
 
     Args:
         compute: Function with the keyword arguments `settings` and `progress`.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Functions of the subcommands that compute tables and figures for pages of the docs."""
+"""Shared functions of `reproduce` and `validate`, which compute tables and figures for the docs."""
 
 from __future__ import annotations
 
@@ -32,22 +32,22 @@ def add_evidence_arguments(command: argparse.ArgumentParser, results: str, pages
     command.add_argument(
         "--coarse",
         action="store_true",
-        help="use coarse meshes and few cases for a quick look; errors reach several per cent",
+        help="use coarse meshes and few impacts for a quick look; errors reach several per cent",
     )
     add_json(command)
 
 
 def run_evidence(evidence: Evidence, head: str, arguments: argparse.Namespace) -> Findings:
-    """Compute evidence, print its tables, write its tables and figures, and update its pages.
+    """Compute tables and figures, print and write them, and update the pages that contain them.
 
     Args:
-        evidence: Evidence to compute.
-        head: Text above the tables.
-        arguments: Arguments of `add_evidence_arguments`.
+        evidence: Validation or reproduction of a paper, with its tables and figures.
+        head: Text above the printed tables.
+        arguments: Parsed arguments of `add_evidence_arguments`.
 
     Raises:
-        ValueError: The folder contains results, or the pages do not match the tables; or as for
-            `Evidence.run`.
+        ValueError: The folder contains results, the pages of the docs do not match the tables, or
+            `Evidence.run` raises it.
         EngineError: LIGGGHTS stopped with an error.
     """
     # Import here, because matplotlib is slow to load.

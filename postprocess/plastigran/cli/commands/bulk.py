@@ -48,8 +48,8 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--host",
         choices=list(HOSTS),
-        help="program that runs the deck, default liggghts; with --restart DIR, the program of the "
-        "run in DIR",
+        help="program that runs the deck, default liggghts; with --restart DIR, the program that "
+        "wrote DIR",
     )
     command.add_argument(
         "-v",
@@ -60,7 +60,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         action="extend",
         default=[],
         metavar="name=value",
-        help="value of a setting of the deck",
+        help="values of deck settings, which are variables of the input script",
     )
     command.add_argument(
         "--restart",
@@ -118,7 +118,7 @@ def run(arguments: argparse.Namespace) -> None:
     if earlier and has_no_new_step(bulk_run):
         advice = ". For a longer run, set a later end, for example -v duration=0.6"
         print(
-            f"{earlier} has reached its end, so there was nothing to "
+            f"the run in {earlier} has reached its end, so there was nothing to "
             f"compute{advice if bulk_run.deck is None else ''}"
         )
     report(bulk_run)
@@ -134,7 +134,7 @@ def how_to_continue(folder: Path) -> str:
 
 
 def has_no_new_step(run: BulkRun) -> bool:
-    """Return whether a continued run has no new log line."""
+    """Return whether a continued run has written no thermodynamic output beyond the earlier run."""
     import pandas as pd  # import here, because pandas is slow to load
 
     from plastigran.bulk.folder import BEFORE

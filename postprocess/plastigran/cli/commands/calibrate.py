@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`plastigran calibrate`: constants of a material for decks, from a measurement."""
+"""`plastigran calibrate`: find constants of a material for decks from a measurement."""
 
 from __future__ import annotations
 
@@ -35,8 +35,8 @@ from plastigran.materials import (
 )
 
 HELP = (
-    "find the yield strength of a metal from hardness, rebound or drops, or the surface energy "
-    "from a pull-off force or sticking speed"
+    "find the yield strength of a metal from hardness, rebound hardness or drop tests, or the "
+    "surface energy of grains from a pull-off force or sticking speed"
 )
 EXAMPLE = """
 plastigran calibrate --young 206e9 --poisson 0.3 --density 7850 --hardness 45HRC --output spring.in
@@ -47,17 +47,17 @@ plastigran calibrate --young 1.2e9 --poisson 0.3 --density 1350 --pull-off 2.4e-
 METAL = "metal"
 #: Allowed suffixes of the file for --figure.
 FIGURES = (".png", ".svg", ".pdf")
-#: Yield strength that stands for a material without yield [Pa].
+#: Yield strength of a material that does not yield [Pa].
 NO_YIELD = 1e30
-#: Flags that determine the yield strength, each with the name of its parsed argument.
+#: Flags that give or measure the yield strength, each with the name of its parsed argument.
 MEASURED = {
     "--yield": "yield_strength",
     "--hardness": "hardness",
     "--leeb": "leeb",
     "--drop": "drop",
 }
-#: Names of the parsed arguments of further flags that apply only to a calibration of the yield
-#: strength.
+#: Further flags that have no effect if the surface energy is calibrated, as names of their parsed
+#: arguments.
 OF_STRENGTH = ("ball", "ball_radius", "rate_coefficient", "scatter", "speeds", "force_ratio")
 #: Names of the parsed arguments that are passed to `calibrate` unchanged.
 PASSED_ON = (
@@ -107,7 +107,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         type=float,
         default=0.0,
         dest="plastic_modulus",
-        help="plastic modulus, Pa, default 0",
+        help="plastic modulus, which is the slope of stress versus plastic strain, Pa, default 0",
     )
     command.add_argument(
         "--ball", help="material of the ball of --drop, default: the calibrated metal"
@@ -156,7 +156,9 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         ),
     )
     command.add_argument(
-        "--fem", action="store_true", help="fit vu_quoc_zhang to finite elements of the metal"
+        "--fem",
+        action="store_true",
+        help="fit the law vu_quoc_zhang to finite-element computations of the metal",
     )
     command.add_argument(
         "--range",
@@ -175,7 +177,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         "--figure",
         type=Path,
         metavar="FILE.png",
-        help="write a figure to this file: the calibrated law and the drops or finite elements",
+        help="file for a figure of the calibrated law with the drop tests or finite elements",
     )
 
 
@@ -236,10 +238,10 @@ def _adhesion(arguments: argparse.Namespace) -> CalibratedAdhesion:
     law = arguments.law or ADHESIVE_LAW
     if arguments.radius is None:
         raise ValueError(
-            "--pull-off and --sticking-speed need --radius, the radius of the sphere, m"
+            "--pull-off and --sticking-speed need --radius, the radius of the sphere in m. Add it"
         )
     if law_class(law).yields and can_adhere(law) and arguments.yield_strength is None:
-        raise ValueError(f"law {law} yields, so it needs --yield, the yield strength in Pa")
+        raise ValueError(f"law {law} yields, so it needs --yield, the yield strength in Pa. Add it")
     material = Material(
         arguments.output.stem if arguments.output else "grain",
         arguments.young,
@@ -287,11 +289,13 @@ def _refuse_idle(arguments: argparse.Namespace) -> None:
         if not adhesion:
             refuse_idle(arguments, "--fem", radius=None)
         if arguments.strain == "finite":
-            raise ValueError("--finite-strain needs --fem")
+            raise ValueError(
+                "--finite-strain has no effect without --fem. Add --fem, or remove the flag"
+            )
 
 
 def _finite_elements(arguments: argparse.Namespace) -> float | None:
-    """Return largest force / yield force of the finite elements; None without finite elements."""
+    """Return largest force / yield force of the finite-element fit; None without a fit."""
     usual = USUAL_RANGE if arguments.fem else None
     return usual if arguments.force_ratio is None else arguments.force_ratio
 

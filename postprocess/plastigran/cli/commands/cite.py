@@ -16,7 +16,8 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         "law",
         nargs="*",
         metavar="LAW",
-        help="names of laws, `rate_factor`, or `all`; default: only the software",
+        help="names of laws, `rate_factor` for the strain-rate dependence, or `all`; default: only "
+        "the software",
     )
 
 

@@ -25,8 +25,8 @@ from plastigran.experiments.central import CentralImpact
 HELP = "check the installation with an impact of a sphere"
 EXAMPLE = "plastigran doctor"
 
-#: Largest allowed relative difference of the restitution between host and theory, at the
-#: recommended time step.
+#: Largest allowed relative difference of the coefficient of restitution between a simulation, with
+#: the recommended time step, and theory.
 TOLERANCE = 1e-3
 #: Commands that need each optional package, by name of the package.
 OPTIONAL = {"pyvista": "snapshot", "imageio": "snapshot --movie", "av": "snapshot --movie FILE.mp4"}
@@ -38,9 +38,10 @@ class Finding:
 
     Attributes:
         name: Subject of the check.
-        state: "ok", "lacks" for a failed check, or "without" for a missing optional part.
+        state: "ok", "lacks" for a failed check, or "without" for a missing optional program or
+            package.
         said: Result in words, for example a version or the name of a missing file.
-        remedy: Advice if the check failed or a part is missing.
+        remedy: Advice if the state is not "ok".
     """
 
     name: str
@@ -79,7 +80,7 @@ def run(arguments: argparse.Namespace) -> None:
 
 
 def examine() -> Iterator[Finding]:
-    """Yield the results of the checks. After a fault, skip the remaining checks of LIGGGHTS."""
+    """Yield the result of each check. After a failed check, skip the later checks of LIGGGHTS."""
     software = f"{version('plastigran')}, Python {platform.python_version()}"
     yield Finding("plastigran", "ok", f"{software}, {os.cpu_count()} cores")
     yield libraries()
@@ -192,7 +193,7 @@ def _collide(ranks: int, host: str = "liggghts") -> str:
             restitution = case.run(folder, ranks=ranks).coefficient_of_restitution
         except (EngineError, ValueError) as error:
             raise Lacking(
-                str(error), "if a library has another version than before, run `./run setup` again"
+                str(error), "if a library was updated after the setup, run `./run setup` again"
             ) from None
         head = (Path(folder) / HOSTS[host].log).read_text(errors="replace").partition("\n")[0]
     if abs(restitution / expected - 1) > TOLERANCE:

@@ -78,7 +78,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
     press_command = add_subcommand(
         computations,
         "press",
-        "quasi-static compression and unloading of the sphere",
+        "quasi-static compression and unloading of a sphere on a plane",
         f"plastigran fem press {steel} --yield 3e8 --radius 0.01 --force-ratio 10 40",
     )
     add_metal(press_command)
@@ -87,12 +87,13 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         type=positive,
         nargs="+",
         required=True,
-        help="largest forces as multiples of the yield force, increasing",
+        help="largest force before each unloading, as a multiple of the yield force; give the "
+        "values in increasing order",
     )
     throw_command = add_subcommand(
         computations,
         "throw",
-        "impact of the sphere on the plane",
+        "impact of a sphere on a plane",
         f"plastigran fem throw {steel} --yield 3e8 --radius 0.01 --speed 0.1",
     )
     add_metal(throw_command)
@@ -111,7 +112,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
     vibrate_command = add_subcommand(
         computations,
         "vibrate",
-        "impact of an elastic sphere, with its vibration",
+        "impact of an elastic sphere on a plane, with its vibration",
         f"plastigran fem vibrate {steel} --radius 0.01 --speed 0.5",
     )
     add_elastic(vibrate_command)
@@ -120,7 +121,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         "--transits",
         type=positive,
         default=TRANSITS,
-        help="duration of the computation after the rebound, divided by the time in which a "
+        help="duration of the computation after the rebound, as a multiple of the time in which a "
         f"compression wave crosses the sphere, default {TRANSITS:g}",
     )
     press_command.set_defaults(compute=_press)
@@ -141,7 +142,7 @@ def _add_cylinder(command: argparse.ArgumentParser) -> None:
     )
     _add_speed(command, "speed toward the body, m/s")
     command.add_argument(
-        "--sliding-speed", type=float, default=0.0, help="speed along the surface, m/s"
+        "--sliding-speed", type=float, default=0.0, help="speed along the surface, m/s, default 0"
     )
     command.add_argument(
         "--coefficient-of-friction",
@@ -153,7 +154,7 @@ def _add_cylinder(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--thickness",
         type=positive,
-        help="thickness of the body, m; by default no wave returns from its far side",
+        help="thickness of the body, m; default: so thick that no wave returns from its far side",
     )
 
 

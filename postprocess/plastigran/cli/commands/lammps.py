@@ -23,7 +23,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         action="append",
         default=[],
         metavar="WORD",
-        help="name and values of a variable of the script",
+        help="name of an index variable of the script, followed by its values",
     )
     command.add_argument("-log", default=LOG, help=f"log file, default {LOG}; none for no file")
     command.add_argument("--ranks", type=int, default=1, help="number of MPI ranks, default 1")

@@ -27,7 +27,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         "--overtones",
         type=positive_integer,
         default=3,
-        help="number of modes of each kind and degree, default 3",
+        help="number of modes of each kind (radial, spheroidal, toroidal) and degree, default 3",
     )
     add_json(command)
 

@@ -71,7 +71,8 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         "--rings",
         type=positive_integer,
         default=4,
-        help="number of rings of the law partial_slip, default 4",
+        help="number of concentric rings into which the law partial_slip divides the contact area, "
+        "2 to 8, default 4",
     )
     command.add_argument(
         "--angles",

@@ -22,8 +22,8 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
     add_evidence_arguments(command, "results/PAPER", "docs/papers")
     bulk = command.add_argument_group(
         "bulk benchmarks",
-        "Only for dosta24. An interrupted command continues its runs. Finished runs are used again "
-        "even with --force.",
+        "Only for dosta24. If the command was interrupted, repeat it to continue its simulations. "
+        "Finished simulations are not repeated, even with --force.",
     )
     bulk.add_argument(
         "--case", choices=("impact", "silo", "drum"), help="case of the benchmark, default all"
@@ -42,7 +42,9 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         metavar="LAW",
         help="contact laws, default hertz with the restitution of the benchmark, and thornton",
     )
-    bulk.add_argument("--beds", type=positive_integer, help="number of beds with random grains")
+    bulk.add_argument(
+        "--beds", type=positive_integer, help="number of beds with different random positions"
+    )
     bulk.add_argument("--ranks", type=positive_integer, help="number of MPI ranks, default 1")
 
 

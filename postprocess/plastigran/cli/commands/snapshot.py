@@ -21,9 +21,15 @@ plastigran snapshot results/frames --movie hopper.mp4
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
-    command.add_argument("folder", type=Path, help="folder of a run with frames (-v frames=10)")
+    command.add_argument(
+        "folder",
+        type=Path,
+        help="folder of a bulk run that wrote frames, for example with `-v frames=10`",
+    )
     frames = command.add_mutually_exclusive_group()
-    frames.add_argument("--step", type=int, help="time step number, default the last frame")
+    frames.add_argument(
+        "--step", type=int, help="time step number of the frame to draw, default the last frame"
+    )
     frames.add_argument(
         "--movie", type=Path, metavar="FILE", help="movie of all frames, .mp4 or .gif"
     )

@@ -52,7 +52,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--depth",
         type=positive,
-        help="depth of a bed at rest, m; also checks the overlap under its weight",
+        help="depth of a bed at rest, m; the command then also checks the overlap under its weight",
     )
     add_laws(command, "spheres")
     command.add_argument("--output", type=Path, help="material file to write, NAME.in")
@@ -107,10 +107,10 @@ def run(arguments: argparse.Namespace) -> None:
         )
     )
     verdict = (
-        "acceptable" if factor >= lowest else "TOO SOFT: the grains do not behave like hard ones"
+        "acceptable" if factor >= lowest else "TOO SOFT: the grains do not behave like hard grains"
     )
     print(
-        # The factor 1.0005 keeps the printed number from being rounded down.
+        # With the factor 1.0005, rounding to four digits never gives a factor that is too low.
         f"  {verdict}. The lowest acceptable factor is {1.0005 * lowest:.4g}, at which the largest "
         f"overlap of a law is {SOUND_OVERLAP:g} of the radius"
     )

@@ -24,7 +24,7 @@ EXPERIMENTS = {
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
-    add_laws(command, "these bodies")
+    add_laws(command, "the bodies of --geometry")
     command.add_argument(
         "--radius", type=positive, default=0.1, help="radius of the body, m, default 0.1"
     )

@@ -14,7 +14,11 @@ plastigran vtk results/frames
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
-    command.add_argument("folder", type=Path, help="folder of a run with frames (-v frames=10)")
+    command.add_argument(
+        "folder",
+        type=Path,
+        help="folder of a bulk run that wrote frames, for example with `-v frames=10`",
+    )
     command.add_argument("--output", type=Path, help="folder of the files, default FOLDER/vtk")
 
 
