@@ -37,12 +37,12 @@ def step_of(checkpoint: Path) -> int:
 
 
 def is_numbered(file: Path) -> bool:
-    """Return whether a file name has the form of a checkpoint of LIGGGHTS."""
+    """Return whether a file has a name like `checkpoint.1000.restart`, with the step as number."""
     return re.fullmatch(PATTERN.replace(".", r"\.").replace("*", r"\d+"), file.name) is not None
 
 
 def checkpoints(folder: str | Path) -> list[Path]:
-    """Return the checkpoints of a run sorted by step, complete or not; ignore other names."""
+    """Return all checkpoint files of a run, also incomplete ones, sorted by step."""
     return sorted(filter(is_numbered, Path(folder).glob(PATTERN)), key=step_of)
 
 
@@ -51,7 +51,8 @@ def newest_checkpoint(folder: str | Path) -> Path:
 
     LIGGGHTS writes the checkpoint of a step before the log line of this step. Decks write
     checkpoints only at steps that have a log line. A checkpoint later than the last log line may
-    therefore be incomplete. A complete checkpoint may have no checksum if its run was killed.
+    therefore be incomplete. A complete checkpoint without checksum is accepted, because a run that
+    was killed may not have written the checksum.
 
     Raises:
         EngineError: There is no complete checkpoint. The message names the newest checkpoint that
@@ -89,7 +90,7 @@ class ChecksumWriter:
 
     Args:
         folder: Folder of the run.
-        log: Path of its log, which may not exist yet.
+        log: Path of the log of the run; the file may not exist yet.
     """
 
     def __init__(self, folder: Path, log: Path) -> None:
@@ -126,7 +127,7 @@ class ChecksumWriter:
 
 
 def differs(checkpoint: Path) -> bool:
-    """Return whether a checkpoint has a checksum and differs from it."""
+    """Return whether a checkpoint differs from its checksum; False if there is no checksum."""
     file = _checksum_file(checkpoint)
     return file.exists() and file.read_text(errors="replace").split()[:1] != [_sha256(checkpoint)]
 
@@ -152,7 +153,8 @@ def _checksum_file(checkpoint: Path) -> Path:
 def _lacks_checksum(checkpoint: Path) -> bool:
     """Return whether the checksum is missing, or older than the checkpoint.
 
-    A deck that restarts its step count overwrites earlier checkpoints of the same steps.
+    The checksum is older if a deck resets its step count: it then overwrites checkpoints of the
+    same steps.
     """
     file = _checksum_file(checkpoint)
     return not file.exists() or file.stat().st_mtime_ns < checkpoint.stat().st_mtime_ns
@@ -164,7 +166,10 @@ def _sha256(file: Path) -> str:
 
 
 def signal_files(working_folder: Path) -> dict[Path, int]:
-    """Return the restart files that LIGGGHTS wrote after signals, with modification times [ns]."""
+    """Return the restart files that LIGGGHTS wrote when a signal stopped it, by path.
+
+    The values are the modification times [ns].
+    """
     times = {}
     for file in working_folder.glob(f"{SIGNAL_FILE}_*"):
         with suppress(FileNotFoundError):  # another run may have moved the file
@@ -173,10 +178,10 @@ def signal_files(working_folder: Path) -> dict[Path, int]:
 
 
 def fetch_signal_file(working_folder: Path, earlier: dict[Path, int], folder: Path) -> None:
-    """Move the restart file that a run wrote after a signal, if there is one, to its results.
+    """Move the restart file that LIGGGHTS wrote when a signal stopped it to the folder of results.
 
-    The file has the last step of the run in its name, and did not exist before the run. Other
-    files in the folder may belong to other runs.
+    The name of the file contains the last step of the run, and the file did not exist before the
+    run. Other such files in the working folder may belong to other runs.
 
     Args:
         working_folder: Folder in which LIGGGHTS ran.

@@ -12,7 +12,7 @@ from pathlib import Path
 
 from plastigran.engine.process import EngineError, inputs_folder
 
-#: Largest number of files of a deck; a larger number indicates that a file includes itself.
+#: Largest number of files of a deck. If a deck has more files, one of them may include itself.
 MOST_FILES = 200
 #: Suffixes of mesh files.
 MESHES = (".stl", ".vtk")
@@ -46,7 +46,7 @@ def index_variable(command: str) -> tuple[str, str] | None:
 
 
 def index_variables(deck: str | Path) -> dict[str, str]:
-    """Return the values of the index variables of a script as text; ignore its includes."""
+    """Return the index variables that a script defines, as text; included files are not read."""
     values: dict[str, str] = {}
     for name, value in index_lines(deck):
         values.setdefault(name, value)  # keep the first value, as LIGGGHTS does
@@ -54,7 +54,7 @@ def index_variables(deck: str | Path) -> dict[str, str]:
 
 
 def index_lines(deck: str | Path) -> list[tuple[str, str]]:
-    """Return names and values of the index variables of a script in order; ignore its includes."""
+    """Return names and values of the index variables in a script; included files are not read."""
     return list(filter(None, map(index_variable, commands(Path(deck)))))
 
 
@@ -63,10 +63,11 @@ class DeckSource:
     """Deck with its included files.
 
     Attributes:
-        path: Input script.
-        files: Paths of the script, its includes, meshes and other input files.
-        settings: All settings with their values.
-        references: Names of variables that are read as ${name} but not defined.
+        path: Path of the input script.
+        files: Paths of the script, of its included files, of meshes and of other input files.
+        settings: Values of all settings, which are the variables that the deck defines with
+            `variable NAME index VALUE`.
+        references: Names of variables that the deck uses as ${name} but does not define.
     """
 
     path: Path
@@ -80,7 +81,7 @@ class DeckSource:
         return deck_name(self.path)
 
     def resolve(self, text: str) -> str:
-        """Return a command with the values of settings inserted."""
+        """Return a command in which the value of each setting replaces ${name}."""
         return _with_values(text, self.settings)
 
     def copy(self, folder: Path) -> Path:
@@ -117,9 +118,10 @@ def _with_values(text: str, settings: Mapping[str, str]) -> str:
 
 
 def _possible_values(include: str, settings: Mapping[str, str], deck: Path) -> str:
-    """Return a phrase with the possible values of the setting in the name of an included file.
+    """Return a hint for a missing included file whose name contains a setting.
 
-    The phrase is empty if the name does not contain exactly one setting.
+    For `include ${material}.in`, the hint lists the values of `material` for which a file exists.
+    The hint is empty if the name does not contain exactly one setting.
     """
     names = [name for name in _REFERENCE.findall(include) if name not in ("inputs", "materials")]
     if len(names) != 1 or names[0] not in settings:
@@ -150,7 +152,7 @@ def deck_name(deck: str | Path) -> str:
 
 
 def is_supplied(script: Path) -> bool:
-    """Return whether a script of `find_deck` is one of `inputs/bulk`."""
+    """Return whether an input script, a result of `find_deck`, is a deck of `inputs/bulk`."""
     return script.parent == (inputs_folder() / "bulk").resolve()
 
 

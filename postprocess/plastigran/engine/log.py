@@ -17,7 +17,7 @@ from plastigran.engine.dumps import DumpError, TruncatedFileWarning
 
 #: Upper bound of step numbers, because tables store steps as 64-bit integers.
 LARGEST_STEP = 2.0**63
-#: Names of the log in the folder of a run, by host.
+#: File names of the log in the folder of a run, by the name of the host.
 LOGS = {"liggghts": "log.liggghts", "lammps": "log.lammps"}
 LOG = LOGS["liggghts"]
 
@@ -30,7 +30,7 @@ THERMO_COLUMNS = {
     "CPU": "cpu_time",
 }
 _RUN = re.compile(r"run\s+(\d+)(\s+upto)?\s*$")
-#: Line that a deck with several runs prints before the first run.
+#: Line with the total number of steps, which a deck with several `run` commands prints first.
 _PLANNED = re.compile(r"planned steps = (\d+)\s*$")
 #: Error line of LIGGGHTS. ERROR must start the line, because a deck may print or echo this word.
 _ERROR = re.compile(r"^ERROR(?: on proc \d+)?: .*", re.MULTILINE)
@@ -48,13 +48,13 @@ _NUMBER = re.compile(r"\d[\d.e+-]*")
 
 
 def log_path(folder: str | Path) -> Path:
-    """Return the path of the log of a run; without a log, the path that LIGGGHTS would write."""
+    """Return the path of the log in the folder of a run; by default, the path for LIGGGHTS."""
     paths = [Path(folder) / name for name in LOGS.values()]
     return next((path for path in paths if path.is_file()), paths[0])
 
 
 def find_excess(text: str) -> dict[str, float]:
-    """Return the largest overlap / validity range of each law whose range was exceeded."""
+    """Return the largest overlap / largest valid overlap of each law whose range was exceeded."""
     excess: dict[str, float] = {}
     for law, furthest in _EXCESS.findall(text):
         excess[law] = max(float(furthest), excess.get(law, 0.0))
@@ -62,7 +62,7 @@ def find_excess(text: str) -> dict[str, float]:
 
 
 def find_error(text: str) -> str | None:
-    """Return the last error line of a log or screen output; None if there is no error."""
+    """Return the last error message in a log or screen output; None if there is no error."""
     return next(reversed(_ERROR.findall(text)), None)
 
 
@@ -76,7 +76,7 @@ def find_warnings(text: str) -> list[str]:
 
 
 def find_models(text: str) -> list[str]:
-    """Return the names of this project's contact models in a log, each once, in order."""
+    """Return the names of this project's contact laws in a log, each once, in order."""
     return list(dict.fromkeys(_LAW.findall(text)))
 
 
@@ -87,7 +87,7 @@ def find_pair_style(text: str) -> str | None:
 
 
 def find_units(text: str) -> str | None:
-    """Return the unit system in a log; None if there is none."""
+    """Return the argument of the last `units` command in a log; None if there is none."""
     return next(reversed(_UNITS.findall(text)), None)
 
 
@@ -96,13 +96,13 @@ class Progress:
     """Progress of LIGGGHTS from its log.
 
     Attributes:
-        run: Number of the current `run` command, from 1; 0 before the first.
-        first: First step of this command.
-        last: Last step of this command.
-        step: Step of the newest line.
-        timestep: Time step of the newest line [s]; 0 if the log does not show it.
-        planned: Total steps of all runs of the deck; 0 if the log does not show it.
-        earlier: Number of steps of all completed runs.
+        run: Number of the current `run` command, from 1; 0 before the first `run` command.
+        first: First step of the current `run` command.
+        last: Last step of the current `run` command.
+        step: Step in the newest line of output.
+        timestep: Time step in the newest line of output [s]; 0 if the log does not contain it.
+        planned: Total steps of all `run` commands of the deck; 0 if the log does not contain it.
+        earlier: Number of steps of all completed `run` commands.
     """
 
     run: int = 0
@@ -115,7 +115,7 @@ class Progress:
 
 
 class LogFollower:
-    """Reader of a growing log, which reads every line once and only when it is complete."""
+    """Reader of a growing log. Every line is read once, as soon as the line is complete."""
 
     def __init__(self, log: Path) -> None:
         self.log = log
@@ -127,7 +127,7 @@ class LogFollower:
         self._run_has_lines = False
 
     def read(self) -> Progress:
-        """Read the new lines of the log."""
+        """Read the new lines of the log, and return the updated progress."""
         if not self.log.exists():
             return self.progress
         with open(self.log, "rb") as file:
@@ -165,14 +165,15 @@ class LogFollower:
 
 @dataclass
 class LoggedRun:
-    """A `run` command in a log.
+    """Thermodynamic output of one `run` command in a log.
 
     Attributes:
         columns: Names of the columns.
-        rows: Complete lines.
+        rows: Values in each complete line of output.
         timestep: Time step [s]; NaN if unknown, or if LIGGGHTS may change it.
-        simulation: Number of earlier `clear` commands.
-        finished: Whether LIGGGHTS reached the end of the run.
+        simulation: Number of `clear` commands before the `run` command. Each `clear` starts a new
+            simulation.
+        finished: Whether the log contains the end of the `run` command.
     """
 
     columns: list[str]
@@ -183,7 +184,7 @@ class LoggedRun:
 
 
 def read_runs(path: str | Path) -> list[LoggedRun]:
-    """Read the `run` commands of a log, in order."""
+    """Read the thermodynamic output of each `run` command in a log, in order."""
     runs: list[LoggedRun] = []
     timestep, adaptive, simulation = nan, False, 0
     with open(path, encoding="utf-8", errors="replace") as file:
@@ -194,14 +195,15 @@ def read_runs(path: str | Path) -> list[LoggedRun]:
             elif runs and not runs[-1].finished and line.startswith("Loop time of"):
                 runs[-1].finished = True
             elif words[:1] == ["timestep"]:
-                timestep = _number(words[1:])  # NaN for a variable, whose value is in the next line
+                # For a variable, the result is NaN; the next line of the log contains its value.
+                timestep = _number(words[1:])
             elif words[:1] == ["fix"] and words[3:4] == ["dt/reset"]:
                 adaptive = True
             elif words == ["clear"]:
                 timestep, adaptive, simulation = nan, False, simulation + 1
             elif runs and not runs[-1].finished and len(words) == len(runs[-1].columns):
                 if line.endswith("\n"):
-                    with suppress(ValueError):  # ignore messages between two rows
+                    with suppress(ValueError):  # ignore messages between two lines of output
                         runs[-1].rows.append([float(word) for word in words])
     return runs
 
@@ -210,8 +212,8 @@ def read_thermo(path: str | Path) -> pd.DataFrame:
     """Read the thermodynamic output of a log file.
 
     Returns:
-        One row per output line: `run` (0, 1, … in the order of the `run` commands), then the
-        columns of the log. `THERMO_COLUMNS` contains new names of common columns.
+        One row per output line. The columns are `run` (0, 1, … in the order of the `run` commands)
+        and the columns of the log. `THERMO_COLUMNS` lists the columns that get a new name.
 
     Raises:
         DumpError: The log has no thermodynamic output, or a step is not a whole number.
@@ -223,7 +225,10 @@ def read_thermo(path: str | Path) -> pd.DataFrame:
 
 
 def thermo_table(path: str | Path, runs: list[LoggedRun]) -> pd.DataFrame:
-    """Return the table of `read_thermo` from the runs of a log; errors and warnings as there."""
+    """Return the table of `read_thermo` for the result of `read_runs`.
+
+    Errors and warnings are as for `read_thermo`.
+    """
     if not runs:
         raise DumpError(f"{path}: no thermodynamic output (no line starting with 'Step')")
     if not runs[-1].finished:

@@ -28,15 +28,15 @@ INTERVAL = 0.2
 
 
 class EngineError(RuntimeError):
-    """LIGGGHTS is missing or stopped with an error; the message contains its output."""
+    """A host is missing or stopped with an error; the message quotes the error of the host."""
 
 
 class EngineStopped(EngineError):
-    """LIGGGHTS started and ended with an error, or was stopped."""
+    """A host started, but ended with an error or was stopped."""
 
 
 def own_inputs() -> Path:
-    """Return the folder of the project's input scripts, or their copy in an installed package."""
+    """Return the folder `inputs` of the project, or its copy in an installed package."""
     folder = PROJECT / "inputs"
     return folder if folder.is_dir() else Path(__file__).resolve().parents[1] / "inputs"
 
@@ -49,15 +49,20 @@ def inputs_folder() -> Path:
     """
     folder = Path(os.environ.get("PLASTIGRAN_INPUTS", own_inputs())).absolute()
     if not (folder / "collision").is_dir():
-        raise EngineError(f"no input scripts in {folder}. Set PLASTIGRAN_INPUTS to their folder")
+        raise EngineError(
+            f"the folder {folder} contains no input scripts of plastigran. Set PLASTIGRAN_INPUTS "
+            "to their folder"
+        )
     return folder
 
 
 def engine_path() -> Path:
-    """Return the launcher: $PLASTIGRAN_ENGINE, the file in `build`, or the first on PATH.
+    """Return the path of the program `liggghts-plastigran`, which is LIGGGHTS with the plugin.
+
+    The path is $PLASTIGRAN_ENGINE, the program in the folder `build`, or the first one on PATH.
 
     Raises:
-        EngineError: The launcher is missing.
+        EngineError: The program is missing.
     """
     named = os.environ.get("PLASTIGRAN_ENGINE")
     path = Path(named).absolute() if named else PROJECT / "build" / "liggghts-plastigran"
@@ -67,7 +72,8 @@ def engine_path() -> Path:
         return Path(installed)
     if named or (PROJECT / "run").is_file():
         raise EngineError(
-            f"LIGGGHTS is not at {path}. Run `./run setup` to build it, or set PLASTIGRAN_ENGINE"
+            f"LIGGGHTS is not at {path}. Run `./run setup` to build it, or set PLASTIGRAN_ENGINE "
+            "to the path of liggghts-plastigran"
         )
     raise EngineError(
         "LIGGGHTS is missing: liggghts-plastigran is not on PATH. Run `./run setup` in the "
@@ -86,10 +92,11 @@ class Host:
 
     Attributes:
         name: Name for users.
-        log: Name of its log.
-        start: Function that returns the first words of a command line for a number of ranks.
-        environment: Function that returns its environment.
-        additions: Names of environment variables that a user must set to run the command line.
+        log: File name of the log.
+        start: Function that returns the first words of the command line for a number of MPI ranks.
+        environment: Function that returns the environment variables for the host.
+        additions: Names of environment variables that a user must set to run the command line in a
+            shell.
     """
 
     name: str
@@ -128,9 +135,10 @@ def typed_command(
     ranks: int = 1,
     host: Host | None = None,
 ) -> str:
-    """Return shell commands that make the folder and its links, and run the deck like `command`.
+    """Return shell commands that do the same as `command` and run the deck.
 
-    This function itself creates nothing.
+    The shell commands create the folder of results and the links in it. This function itself
+    creates nothing.
     """
     host = host or LIGGGHTS
     words, links = _command(deck, variables, folder, ranks, host)
@@ -146,7 +154,7 @@ def typed_command(
 def _command(
     deck: str | Path, variables: Mapping[str, object], folder: Path, ranks: int, host: Host
 ) -> tuple[list[str], dict[Path, Path]]:
-    """Return the words of a command line, and the links that it needs with their targets."""
+    """Return the words of the command line, and the targets of the links that the run needs."""
     words = [*host.start(ranks), "-in", str(deck), "-log", str(folder / host.log)]
     links = {}
     for name, value in {"inputs": inputs_folder(), "output": folder, **variables}.items():
@@ -165,7 +173,7 @@ def _command(
 def misread(path: str) -> bool:
     """Return whether LIGGGHTS misreads a path.
 
-    LIGGGHTS splits lines at white space, and replaces * and % by a step and a rank.
+    LIGGGHTS splits lines at white space. In paths, it replaces * by the step and % by the rank.
     """
     return any(letter.isspace() or letter in "*%" for letter in path)
 
@@ -198,8 +206,8 @@ def run_deck(
 ) -> str:
     """Run a deck to its end.
 
-    The host never outlives this function: an error, Ctrl-C or the time-out stops all its ranks.
-    The host also stops if Python is killed. Files that were already written are kept.
+    The host never runs longer than this function: an error, Ctrl-C or the time-out stops all its
+    ranks. The host also stops if Python is killed. The files that it has written are kept.
 
     Args:
         deck: Path of the input script, absolute or relative to `inputs_folder()`.
@@ -210,7 +218,7 @@ def run_deck(
         progress: Whether to show a progress bar, or lines if the output is not a terminal.
         working_folder: Folder in which the host runs, where relative paths of the deck start;
             `folder` if None.
-        planned: Total steps of all runs of the deck for the progress bar, or 0 if unknown.
+        planned: Total steps of all `run` commands of the deck, for the progress bar; 0 if unknown.
         meanwhile: Function that is called every `INTERVAL` seconds during the run.
         host: Program that runs the deck.
 
@@ -260,7 +268,7 @@ def run_deck(
 
 
 def engines(folder: Path) -> list[int]:
-    """Return the process IDs of the host and of MPI that work for a folder on this machine."""
+    """Return the IDs of the processes on this machine that run a host with its log in a folder."""
     logs, numbers = {str(folder / name).encode() for name in LOGS.values()}, []
     for process in Path("/proc").glob("[0-9]*"):
         with suppress(OSError):  # ignore a process that has ended meanwhile
@@ -313,7 +321,7 @@ def _stop(process: subprocess.Popen, folder: Path) -> None:
 
 
 def _reason(returncode: int, output: str, host: str) -> str:
-    """Return the reason for the end of a run as text, with warnings.
+    """Return the reason why the host stopped, with earlier warnings, as text.
 
     The reason follows from the exit code and from the output (log and screen).
     """

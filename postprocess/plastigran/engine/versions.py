@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Versions of the software of a run, for its record."""
+"""Versions of this package, the host and its plugin, for the record of a run."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ HOSTS = {"liggghts": LIGGGHTS, "lammps": LAMMPS}
 
 
 def versions(host: str = "liggghts") -> dict[str, str]:
-    """Return the version of this package, the name of the host, and file and SHA-256 of the plugin.
+    """Return the version of this package, the name of the host, and the plugin with its SHA-256.
 
     Raises:
         EngineError: The host is missing.

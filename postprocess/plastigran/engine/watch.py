@@ -16,8 +16,9 @@ class RunBar:
         name: Text before the bar.
         log: Path of the log, which may not exist yet.
         shown: Whether to show the bar.
-        planned: Total steps of all runs of the deck, or 0 if unknown. The bar then uses the line
-            `planned steps = N` of the log. Without this line, the bar shows only the current run.
+        planned: Total steps of all `run` commands of the deck, or 0 if unknown. A line `planned
+            steps = N` in the log replaces this value. If the total is unknown, the bar shows the
+            progress of the current `run` command.
     """
 
     def __init__(self, name: str, log: Path, shown: bool = True, planned: int = 0) -> None:
@@ -26,7 +27,7 @@ class RunBar:
         self._bar = ProgressBar(desc=name, unit="steps", unit_scale=True, shown=shown)
 
     def update(self) -> None:
-        """Read the new lines of the log."""
+        """Read the new lines of the log, and update the bar."""
         if self._bar.disable:
             return
         earlier_run = self._follower.progress.run
