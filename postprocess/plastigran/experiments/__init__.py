@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Experiments: simulations of single impacts in LIGGGHTS, compared with theory.
 
-Each experiment is a module or package, here or in a folder of $PLASTIGRAN_EXPERIMENTS.
+Each experiment is a module or package in this folder, or in a folder that the environment variable
+PLASTIGRAN_EXPERIMENTS lists.
 """
 
 from __future__ import annotations
@@ -18,7 +19,7 @@ __path__ += filter(None, os.environ.get("PLASTIGRAN_EXPERIMENTS", "").split(os.p
 
 
 def find_experiments() -> dict[str, type[Experiment]]:
-    """Return every experiment that has a command, by the name of the command."""
+    """Return the class of every experiment that has a `plastigran` command, by the command name."""
     experiments = {}
     for module in iter_modules(__path__):
         for value in vars(import_module(f"{__name__}.{module.name}")).values():

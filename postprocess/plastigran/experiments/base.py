@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Base class of experiments, which adds studies of many cases to the class `Case`.
+"""Base class of experiments.
 
-docs/add_an_experiment.md shows how to write an experiment.
+A case is one simulation with given inputs (class `Case`). An experiment adds studies, which compute
+many cases. docs/add_an_experiment.md shows how to write an experiment.
 """
 
 from __future__ import annotations
@@ -34,16 +35,17 @@ def combinations(values: Mapping[str, Any]) -> list[dict[str, Any]]:
 
 @attrs.frozen
 class Experiment(Case):
-    """One case of an experiment. The fields are its inputs, declared with units and bounds.
+    """One case of an experiment, which is one simulation with given inputs.
 
-    A subclass must define `deck` and `measure`. A subclass with a `command` is also a command of
-    `plastigran`.
+    Each experiment is a subclass, whose fields declare the inputs with units and bounds. A subclass
+    must define `deck` and `measure`. A subclass with a `command` is also a command of `plastigran`.
 
     Attributes:
         help: Purpose of the command, in one line.
-        example: Example of the command; by default the command with its required flags.
+        example: Example command line; by default the command with its required flags.
         has_theory: Whether `theory` can compute the impacts without LIGGGHTS.
-        flags: Settings of the command by name; by default the declared fields.
+        flags: Settings of a study by name, which are also the flags of the command; by default the
+            declared fields.
     """
 
     help: ClassVar[str] = ""
@@ -59,19 +61,19 @@ class Experiment(Case):
             values: One value, or an iterable of values, by the name of the field.
 
         Raises:
-            ValueError: A case cannot be run; the message gives the reason.
+            ValueError: The inputs of a case are invalid; the message gives the reason.
         """
         return list(dict.fromkeys(cls(**case) for case in combinations(values)))
 
     @classmethod
     def all_flags(cls) -> Mapping[str, Flag]:
-        """Return the settings of the study; a field without default is required."""
+        """Return the settings of a study by name; a setting without default is required."""
         defaults = {field.name: field.default for field in attrs.fields(cls)}
         return cls.flags or {name: Flag(defaults[name]) for name in declarations(cls)}
 
     @classmethod
     def study_settings(cls, **given: Any) -> dict[str, Any]:
-        """Return the settings of a study, with defaults for omitted flags.
+        """Return the values of all settings of a study, with defaults for omitted settings.
 
         Raises:
             ValueError: A setting is unknown, or a required setting is missing.
@@ -95,7 +97,7 @@ class Experiment(Case):
 
     @classmethod
     def cases(cls, **settings: Any) -> list[Experiment]:
-        """Return the cases of a study, by default every combination of settings (`plan`)."""
+        """Return the cases of a study. By default, they are every combination of the settings."""
         return cls.plan(**settings)
 
     @classmethod
@@ -107,10 +109,10 @@ class Experiment(Case):
         force: bool = False,
         **settings: Any,
     ) -> Runs:
-        """Run the same study as the command of the experiment.
+        """Run a study, as the `plastigran` command of the experiment does.
 
         Args:
-            folder, jobs, progress, force: As for `sweep`.
+            folder, jobs, progress, force: As for `plastigran.experiments.runs.sweep`.
             settings: Values of the settings in `flags`; omitted settings have their defaults.
         """
         settings = cls.study_settings(**settings)
@@ -118,13 +120,13 @@ class Experiment(Case):
 
     @classmethod
     def theory(cls, **settings: Any) -> Runs:
-        """Run a study by theory alone, without LIGGGHTS.
+        """Compute a study by theory alone, without LIGGGHTS.
 
         Args:
             settings: As for `study`.
 
         Raises:
-            ValueError: As for `study_settings`, or theory cannot replace the runs.
+            ValueError: As for `study_settings`, or the experiment has no such theory.
         """
         if not cls.has_theory:
             raise ValueError(f"{cls.command} cannot be computed by theory alone. Use study()")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Base class of a case of an experiment: inputs, run, and row in the results table."""
+"""Base class of one case of an experiment: its inputs, its simulation, and its row of results."""
 
 from __future__ import annotations
 
@@ -21,15 +21,17 @@ if TYPE_CHECKING:
 
 @attrs.frozen
 class Case:
-    """One case of an experiment. The subclass `Experiment` adds studies of many cases.
+    """One case of an experiment, which is one simulation with given inputs.
+
+    The subclass `Experiment` adds studies of many cases.
 
     Attributes:
-        command: Name of the command of the experiment.
+        command: Name of the `plastigran` command that runs the experiment.
         host: Program that runs the deck, one of `plastigran.engine.versions.HOSTS`.
         deck: Path of the input script, relative to the folder of input scripts.
         shape: Shape of the bodies, "sphere" or "cylinder".
-        quantities: Attributes of the outcome that become table columns.
-        shown: Columns that are printed; by default all.
+        quantities: Attributes of the outcome that become columns of the results table.
+        shown: Columns of the results table that are printed; by default all.
     """
 
     command: ClassVar[str] = ""
@@ -43,7 +45,7 @@ class Case:
         return {name: getattr(self, name) for name in declarations(type(self))}
 
     def variables(self) -> dict[str, object]:
-        """Return the deck variables of this case. A material contributes its constants by name."""
+        """Return the deck variables of this case. A material adds one variable per constant."""
         variables: dict[str, object] = {}
         for name, value in self._inputs().items():
             if isinstance(value, Material):
@@ -55,7 +57,7 @@ class Case:
 
     @property
     def label(self) -> str:
-        """Part of the name of the folder of this case in a sweep."""
+        """Text in the folder name of this case, if it runs together with other cases."""
         return self.command or type(self).__name__
 
     @property
@@ -64,7 +66,7 @@ class Case:
         return None
 
     def predict(self) -> Any:
-        """Return the outcome predicted by theory; None if there is no theory."""
+        """Return the outcome that theory predicts; None if the experiment has no theory."""
         return None
 
     def measure(self, folder: Path) -> Any:
@@ -76,7 +78,10 @@ class Case:
         raise NotImplementedError
 
     def facts(self) -> dict[str, object]:
-        """Return the columns that identify the case: its fields, with materials by name."""
+        """Return the columns of the results table that identify the case.
+
+        They are the fields of the case, with the names of materials.
+        """
         inputs = self._inputs().items()
         return {k: v.name if isinstance(v, Material) else v for k, v in inputs}
 
@@ -94,7 +99,10 @@ class Case:
         return row | self.notes(measured, predicted)
 
     def theory_row(self, predicted: Any) -> dict[str, object]:
-        """Return one row of the table of a study by theory alone: the case and predicted values."""
+        """Return one row of the results table of a study by theory alone.
+
+        The row contains the columns that identify the case, and the predicted values.
+        """
         names = (*self.quantities, "in_range")
         values = {name: getattr(predicted, name, None) for name in names}
         return self.facts() | {name: value for name, value in values.items() if value is not None}
@@ -132,7 +140,7 @@ class Case:
 
     @classmethod
     def tables(cls, runs: Any) -> dict[str, Any]:
-        """Return further tables of the runs, by name."""
+        """Return the tables of the experiment besides the results table, by name."""
         return {}
 
     @classmethod
@@ -142,7 +150,7 @@ class Case:
 
     @classmethod
     def summary(cls, runs: Any) -> str:
-        """Return the printed summary: the results table, and the laws used outside their range."""
+        """Return text with the results table, and a warning for laws used outside their range."""
         text = [format_table(runs.table, cls.shown)]
         if "in_range" in runs.table:
             text.append(format_range(runs.table))

@@ -38,22 +38,24 @@ def collide(
     """Run central impacts with LIGGGHTS, for every combination of laws, speeds and materials.
 
     Args:
-        laws: Name of one or several laws for bodies of one shape.
+        laws: Name of a law, or names of several laws for the same shape of bodies.
         speeds: Speed of each body, a number or (N,) [m/s].
         materials: One or several materials, names or file paths.
         radius: Radius of the bodies [m].
-        geometry: Name of the deck; by default a body on a rigid plane.
+        geometry: Geometry of the impact, such as "two_spheres"; by default a body hits a rigid
+            plane.
         folder: Folder for the files of LIGGGHTS; by default, the files are not kept.
-        jobs: LIGGGHTS processes at a time; by default all cores.
+        jobs: Number of LIGGGHTS processes that run at the same time; by default the number of
+            cores.
         force: Whether to overwrite the results of an earlier sweep in `folder`.
-        fields: Further fields of the case, such as a cylinder's `mass`.
+        fields: Further fields of `CentralImpact` or `CylinderImpact`, such as `mass` of a cylinder.
 
     Returns:
-        The runs, with `.table`, `.outcomes` and `.figure("restitution")`. `print` shows the table,
-        followed by remarks.
+        The results, with the attributes `table` and `outcomes` and the method
+        `figure("restitution")`. `print` shows the table, followed by remarks.
 
     Raises:
-        ValueError: A case cannot be run; the message gives the reason.
+        ValueError: An input is invalid; the message gives the reason.
         EngineError: LIGGGHTS stopped with an error.
 
     Warns:

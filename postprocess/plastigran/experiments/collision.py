@@ -23,17 +23,18 @@ class CollisionOutcome:
     """Measured or predicted outcome of one collision.
 
     Attributes:
-        closing_speed: Speed before contact [m/s].
-        coefficient_of_restitution: Normal separation / closing speed [-]; 0 if the bodies stick.
-        force_max: Largest force [N]. A measured value is the largest force in any frame.
+        closing_speed: Closing speed before the contact [m/s].
+        coefficient_of_restitution: Normal separation speed / closing speed [-]; 0 if the bodies
+            stick.
+        force_max: Largest force [N]. A measured value is the largest force in all frames.
         overlap_max: Largest overlap [m].
         overlap_res: Overlap at zero force during unloading [m].
         loading_time: Time from first touch to largest overlap [s]; None if not predicted.
         contact_time: Time from first touch to the end of contact [s]; NaN if the bodies stick,
             None if not predicted.
-        in_range: Whether the load is within the range of the law; None if measured.
+        in_range: Whether the overlap stays within the validity range of the law; None if measured.
         loop: Collision over time, one row per frame. Columns are time [s], overlap [m], force [N]
-            and speed [m/s] (overlap rate). None if predicted.
+            and speed [m/s] (rate of the overlap). None if predicted.
     """
 
     closing_speed: float
@@ -51,8 +52,8 @@ def force_overlap_loop(trajectory: pd.DataFrame) -> pd.DataFrame:
     """Return overlap and force over time for two spheres, or one sphere at the wall x = 0.
 
     Args:
-        trajectory: Frames of a custom dump with id, radius, x, y, z, vx, vy, vz, fx, fy, fz and
-            time.
+        trajectory: Frames of a `dump custom` file with the columns id, radius, x, y, z, vx, vy, vz,
+            fx, fy, fz and time.
 
     Returns:
         One row per frame: time, overlap, force and speed; see `CollisionOutcome.loop`.
@@ -94,12 +95,12 @@ def force_overlap_loop(trajectory: pd.DataFrame) -> pd.DataFrame:
 def measure(trajectory: str | Path | pd.DataFrame) -> CollisionOutcome:
     """Measure the collision in a trajectory.
 
-    Times and extremes between two frames are interpolated. The largest overlap is the maximum of
-    the cubic through the overlaps and speeds of two frames. The residual overlap is the overlap at
-    which the unloading curve through the last loaded frames has zero force.
+    The function interpolates between frames. The largest overlap is the maximum of the cubic
+    through the overlaps and speeds of two frames. The residual overlap is the overlap of zero force
+    on the unloading curve through the last loaded frames.
 
     Args:
-        trajectory: A custom dump written every step, or its table of `read_dump`.
+        trajectory: Path of a `dump custom` file written every step, or its table from `read_dump`.
 
     Raises:
         CollisionError: The bodies never touch, or are still in contact at the end.
@@ -112,8 +113,8 @@ def measure(trajectory: str | Path | pd.DataFrame) -> CollisionOutcome:
 def measure_loop(loop: pd.DataFrame) -> CollisionOutcome:
     """Measure a collision from a table as in `CollisionOutcome.loop`; see `measure`.
 
-    The separation speed is the speed in the first frame after the contact. Later changes of the
-    speed are not due to the contact.
+    The separation speed is the speed in the first frame after the contact, because the speed may
+    change later for other reasons.
 
     Raises:
         CollisionError: The bodies never touch, or are still in contact at the end.
@@ -209,8 +210,8 @@ def _end_of_power(overlap, force) -> tuple[float, Callable]:
 def _end_of_bent_power(overlap, force) -> tuple[float, Callable]:
     """Fit force = c z^3/(1 + g z) with z = (overlap - overlap_res)^(1/2) to three frames.
 
-    With the right residual overlap, z^3/force is a linear function of z. Without a solution, the
-    results are NaN.
+    c and g are constants. With the right overlap_res, z^3/force is a linear function of z. Without
+    a solution, the results are NaN.
 
     Returns:
         As for `_end_of_power`.
@@ -243,7 +244,7 @@ def _end_of_bent_power(overlap, force) -> tuple[float, Callable]:
 
 
 def _turning_point(time, value, rate, k: int) -> tuple[float, float]:
-    """Return time and value of the maximum of the cubic through frames k and k+1."""
+    """Return time and value of the maximum of the cubic between frames k and k+1."""
     step = time[k + 1] - time[k]
     fraction = rate[k] / (rate[k] - rate[k + 1])  # the linearly interpolated rate is zero here
     h = np.polynomial.Polynomial

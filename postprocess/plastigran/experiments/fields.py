@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Declarations that experiments share: flags of studies, and fields and checks of cases."""
+"""Fields, flags and checks that several experiments share."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ SPHERE_OVERLAP = 0.3
 
 @attrs.frozen
 class Flag:
-    """Setting of an experiment's study, and flag of its command.
+    """Setting of an experiment, which is also a flag of its `plastigran` command.
 
     Attributes:
         default: Default value, or tuple of values; "all" means every usable law.
-        name: Name of the flag, if it differs from the setting.
-        declaration: Declaration, if the setting is not a field of the case.
+        name: Name of the flag, if it differs from the name of the setting.
+        declaration: Unit, bounds and meaning, if the setting is not a field of the experiment.
         many: Whether the setting takes several values.
         span: Lowest value, highest value and number of values of the default sweep.
     """
@@ -38,19 +38,19 @@ class Flag:
     span: tuple[float, float, int] | None = None
 
     def values(self) -> Any:
-        """Return the default values; the values of a span are logarithmically spaced."""
+        """Return the default values; those of a sweep are logarithmically spaced."""
         return tuple(np.geomspace(*self.span)) if self.span else self.default
 
 
 def several(value: Any) -> tuple:
-    """Return one value, or an iterable of values, as a tuple."""
+    """Convert one value, or an iterable of values, to a tuple."""
     if isinstance(value, str | Path | Material) or not np.iterable(value):
         return (value,)
     return tuple(value)
 
 
 def law_field(default: Any = attrs.NOTHING) -> Any:
-    """Declare a field for the name of a law that supports the `shape` of the case."""
+    """Declare a field for the name of a law; the law must support the shape of the bodies."""
 
     def check(case: Any, field: attrs.Attribute, name: str) -> None:
         if (shape := law_class(name).shape) != case.shape:
@@ -85,13 +85,17 @@ def law_options(law: str, text: str | None) -> dict[str, str]:
     """
     words = (text or "").split()
     if len(words) % 2:
-        raise ValueError(f"options is {text!r}; it must be made of pairs NAME CHOICE")
+        raise ValueError(
+            f"options is {text!r}; it must be made of pairs NAME CHOICE, such as 'yielding flat'"
+        )
     chosen = dict(zip(words[::2], words[1::2], strict=True))
     choices = {option["name"]: option["choices"] for option in laws.LAWS[law].options()}
     for name, choice in chosen.items():
         if name not in choices:
             if name == "adhesion":  # only the pair_style line of a deck has this option
-                raise ValueError("adhesion is not an option here. Give --surface-energy instead")
+                raise ValueError(
+                    "the option adhesion is only for decks. Use --surface-energy instead"
+                )
             raise ValueError(
                 f"{law} has no option {name!r}. Available options: {', '.join(choices) or 'none'}"
             )
@@ -101,14 +105,14 @@ def law_options(law: str, text: str | None) -> dict[str, str]:
 
 
 def having_options(names: Iterable[str], text: str | None) -> list[str]:
-    """Return the laws that have every option of a text.
+    """Return the names of the laws that have all given options.
 
     Args:
         names: Names of laws.
-        text: As for `law_options`.
+        text: Options, as for `law_options`.
 
     Raises:
-        ValueError: No law has the options, or a law has an option without that choice.
+        ValueError: No law has all options, or a law has an option but not the given choice.
     """
     names, options = list(names), set((text or "").split()[::2])
     having = [name for name in names if options <= {o["name"] for o in laws.LAWS[name].options()}]
@@ -118,10 +122,10 @@ def having_options(names: Iterable[str], text: str | None) -> list[str]:
 
 
 def check_overlap(case: Any, overlap: float, radius: float, limit: float, radii: str) -> None:
-    """Reject a case whose overlap would be too large for any law.
+    """Reject an impact whose overlap would be too large for any law.
 
     Args:
-        case: Case with `law` and `speed`.
+        case: Impact with the attributes `law` and `speed`.
         overlap: Expected overlap [m].
         radius: Reference radius [m].
         limit: Largest allowed ratio of the overlap to the radius.
@@ -132,7 +136,7 @@ def check_overlap(case: Any, overlap: float, radius: float, limit: float, radii:
     """
     if overlap > limit * radius:
         raise ValueError(
-            f"{case.law} at {case.speed:g} m/s would overlap by {overlap / radius:.2g} "
-            f"{radii}; no contact law is valid beyond {limit:g}. Lower the speed, or use a "
-            "harder material"
+            f"with law {case.law} at {case.speed:g} m/s, the bodies would overlap by "
+            f"{overlap / radius:.2g} {radii}; no contact law is valid beyond {limit:g}. Lower the "
+            "speed, or use a harder material"
         )

@@ -1,5 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Results table and record of a sweep, two files beside the folders of its runs."""
+"""Results table and record of a sweep, which runs several cases of an experiment.
+
+The table and the record are two files in the folder of results, next to `runs`, which contains one
+folder per case.
+"""
 
 from __future__ import annotations
 
@@ -19,11 +23,11 @@ from plastigran.materials import Material
 
 #: Name of the file with the results table of a sweep.
 TABLE = "impacts.csv"
-#: Name of the file with the record of a sweep: command, settings, versions.
+#: Name of the file with the record of a sweep: its command, settings and software versions.
 STUDY = "study.json"
-#: Columns that contain text. The list in the record replaces this list.
+#: Columns of the results table that contain text, if the record does not list them.
 WORDS = ("law", "material", "wall", "options", "geometry")
-#: Types of the entries of study.json that contain text.
+#: Types of the values in study.json that contain text, by key.
 _TEXTS = {"command": str, "words": list, "versions": dict}
 
 
@@ -40,10 +44,10 @@ def add_row(path: Path, row: Mapping[str, object]) -> None:
 
 
 def read_table(path: Path) -> tuple[pd.DataFrame, list[str]]:
-    """Return the complete rows of a table, and sentences on omitted rows.
+    """Return the complete rows of a results table, and sentences that name the omitted rows.
 
-    Columns that the record declares as text are read as text, because a material may have the name
-    "304".
+    The columns that the record lists as text are never read as numbers, because a material may have
+    the name "304".
 
     Raises:
         OSError, ValueError: The table is missing or invalid.
@@ -69,10 +73,10 @@ def _cells(line: str) -> list[str]:
 
 
 def _damaged_rows(head: list[str], rows: list[list[str]], words: list[str]) -> list[int]:
-    """Return the indices of damaged rows.
+    """Return the indices of damaged rows of a results table.
 
-    A row is damaged if its length is wrong, if a text cell is empty, or if a column of numbers has
-    text in this row.
+    A row is damaged if its number of cells is wrong, if a text cell is empty, or if it has text in
+    a column of numbers.
     """
     damaged = {k for k, row in enumerate(rows) if len(row) != len(head)}
     for place, name in enumerate(head):
@@ -94,7 +98,7 @@ def _is_number(cell: str) -> bool:
 
 
 def read_study(folder: Path) -> tuple[dict[str, Any], list[str]]:
-    """Return the valid entries of a sweep's record, and sentences on damaged entries."""
+    """Return the valid entries in the record of a sweep, and sentences on damaged entries."""
     try:
         record = json.loads((folder / STUDY).read_text(encoding="utf-8"))
     except FileNotFoundError:
@@ -109,7 +113,7 @@ def read_study(folder: Path) -> tuple[dict[str, Any], list[str]]:
 
 
 def _is_text(name: str, value: object) -> bool:
-    """Return whether an entry is a text, or a list or dict of texts, as `_TEXTS` requires."""
+    """Return whether a value of study.json is text, or a list or dict of text, as in `_TEXTS`."""
     if not isinstance(value, _TEXTS[name]):
         return False
     texts = value.values() if isinstance(value, dict) else value
@@ -123,7 +127,7 @@ def write_study(
     made_with: Mapping[str, str],
     by_theory: bool = False,
 ) -> None:
-    """Write the record of a sweep before its runs, or of a study by theory."""
+    """Write the record of a sweep before its simulations start, or of a study by theory."""
     facts = [case.facts() for case in cases]
     record = {
         "command": cases[0].command,

@@ -33,8 +33,8 @@ class Runs:
     Attributes:
         experiment: Class of the cases.
         outcomes: Outcome of each case, measured or predicted.
-        table: One row per case, in the given order; columns of `Case.row`.
-        settings: Settings of the study, if any.
+        table: Results table: one row per case, in the given order, with the columns of `Case.row`.
+        settings: Settings of the study that defined the cases; empty if there was no study.
         by_theory: Whether theory predicted the outcomes, without LIGGGHTS.
     """
 
@@ -51,7 +51,7 @@ class Runs:
 
     @cached_property
     def tables(self) -> dict[str, pd.DataFrame]:
-        """Further tables of the experiment, by name."""
+        """Tables of the experiment besides the results table, by name."""
         return self.experiment.tables(self)
 
     @cached_property
@@ -75,15 +75,15 @@ class Runs:
     def write(self, folder: str | Path) -> list[Path]:
         """Write every table as CSV, and every figure as PNG and SVG, into a folder.
 
-        For outcomes by theory, the record `study.json` is written too. A sweep writes this record
-        before its runs.
+        If theory predicted the outcomes, this method also writes the record `study.json`. A sweep
+        in LIGGGHTS has written this record before its simulations.
 
         Returns:
-            The files, the results table first.
+            The paths of the files, the results table first.
 
         Raises:
-            ValueError: The outcomes are by theory, and two different materials have the same name.
-                In this case, nothing is written.
+            ValueError: Theory predicted the outcomes, and two different materials have the same
+                name. In this case, nothing is written.
         """
         from plastigran.plot import style  # imported here, because matplotlib is slow to load
 
@@ -122,24 +122,25 @@ def sweep(
 ) -> Runs:
     """Run cases of one experiment in parallel.
 
-    Each finished case is appended to `impacts.csv` at once, so an interrupted sweep keeps its
-    results.
+    Each finished case adds its row to `impacts.csv` at once. An interrupted sweep thus keeps the
+    results of its finished cases.
 
     Args:
         cases: Cases to run.
         folder: Folder of the results: the table `impacts.csv`, the record `study.json`, and `runs/`
             with a folder for each case.
-        jobs: LIGGGHTS processes at a time, 1 or more; by default all cores.
+        jobs: Number of LIGGGHTS processes that run at the same time, 1 or more; by default the
+            number of cores.
         progress: Whether to show a progress bar.
-        settings: Settings of the study of the cases.
+        settings: Settings of the study that defined the cases, for the record.
         force: Whether to overwrite the results of an earlier sweep in `folder`.
 
     Raises:
-        ValueError: `cases` is empty, `jobs` is out of range, two materials have one name, or
-            `folder` contains results or is in use.
+        ValueError: `cases` is empty, `jobs` is out of range, two different materials have the same
+            name, or `folder` contains results or is in use.
         EngineError: LIGGGHTS is missing.
-        EngineError, ValueError: A case failed. The error is the error of the first failed case. The
-            rows of all successful cases have been written.
+        EngineError, ValueError: A case failed. If several cases failed, the error is that of the
+            first one. The rows of all successful cases are in `impacts.csv`.
     """
     cases, folder, settings = list(cases), Path(folder), dict(settings or {})
     if not cases:
@@ -162,10 +163,11 @@ def case_folders(cases: Iterable[Case], folder: Path) -> list[Path]:
 
 @contextmanager
 def claim(folder: Path, force: bool) -> Iterator[None]:
-    """Lock a folder and remove an earlier sweep's table, record and runs from it.
+    """Lock a folder, and remove the table, record and case folders of an earlier sweep from it.
 
     Raises:
-        ValueError: The folder contains results and `force` is not given, or it is in use.
+        ValueError: The folder contains results and `force` is False, or another command uses the
+            folder.
     """
     with lock_folder(folder):
         if not force and any([*folder.glob(TABLE), *folder.glob("runs/*/*")]):
@@ -202,7 +204,7 @@ def _run(
                 continue
             rows[case] = case.row(outcomes[case])
             add_row(folder / TABLE, rows[case])
-    finally:  # after an interrupt, start no further runs
+    finally:  # after Ctrl-C, start no further simulations
         pool.shutdown(wait=True, cancel_futures=True)
         bar.close()
     if failures:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Text form of the results of impacts."""
+"""Text output for results of impacts: the results table, and laws used outside their range."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ import pandas as pd
 
 from plastigran import laws
 
-#: Columns that are shown only if they have several values.
+#: Columns that the printed table shows only if they have several values.
 VARIED = ("geometry", "radius", "wall", "options", "surface_energy")
-#: Column headers: name and unit in two lines.
+#: Headers of the printed columns: name and unit in two lines.
 HEADS = {
     "material": "material",
     "law": "law",
@@ -64,7 +64,7 @@ def _cell(value: object) -> str:
 
 
 def format_range(table: pd.DataFrame) -> str:
-    """Return lines of text: for each law, the lowest speed that exceeds the range of the law."""
+    """Return lines that name each law used outside its range, with the lowest of these speeds."""
     several = "material" in table and table["material"].nunique() > 1
     outside = table.loc[~table["in_range"]]
     lines = []

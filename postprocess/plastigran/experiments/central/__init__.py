@@ -50,13 +50,14 @@ from plastigran.usable_laws import warn_of_idle_surface_energy
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-#: Geometries: name of the deck, and number of spheres (1: sphere and wall).
+#: Number of spheres for each geometry; 1 means a sphere and a wall. A geometry has the name of its
+#: deck.
 GEOMETRIES = {"sphere_wall": 1, "sphere_mesh": 1, "two_spheres": 2}
-#: Geometries of the deck for LAMMPS.
+#: Geometries that the LAMMPS deck supports.
 LAMMPS_GEOMETRIES = ("sphere_wall", "two_spheres")
 
 #: Impact speeds [m/s] of `plastigran demo` and of a figure in the docs, for the sphere of Zhang &
-#: Vu-Quoc (2002): aluminium_zv02, radius 0.1 m. The highest is 120 times its yield speed.
+#: Vu-Quoc (2002): aluminium_zv02, radius 0.1 m. The highest speed is 120 times the yield speed.
 PAPER_SPEEDS = (0.0005, 0.001, 0.002, 0.005, 0.01, 0.02, 0.06, 0.1, 0.2)
 
 
@@ -76,8 +77,8 @@ class CentralImpact(Experiment):
     wall: Material | None = material_field("material of the plane, default rigid", None, "_other")
     options: str | None = options_field()
     surface_energy: float | None = surface_energy_field(
-        "work of adhesion of the two bodies; switches on 'adhesion jkr' in laws whose elastic "
-        "contact is Hertz'. Default, for laws that need it: the value of the material"
+        "value that switches on 'adhesion jkr' in laws with Hertz' elastic contact; laws that need "
+        "a value take it from the material by default. Work of adhesion of the two bodies"
     )
     host: str = attrs.field(
         default="liggghts",
@@ -155,7 +156,7 @@ class CentralImpact(Experiment):
 
     @property
     def pair(self) -> laws.MaterialPair:
-        """Material pair of the contact."""
+        """Combined constants of the two bodies in contact."""
         body = self.material.body()
         wall = body if self.bodies == 2 else RIGID
         return laws.combine(body, wall if self.wall is None else self.wall.body())
@@ -178,7 +179,7 @@ class CentralImpact(Experiment):
 
     @property
     def law_is_of_indentation(self) -> bool:
-        """Whether the law, with its options, describes a hard sphere on a yielding flat."""
+        """Whether the law, with its options, describes a hard sphere that indents a flat."""
         needed = dented_flat(self.law).items()
         chosen = law_options(self.law, self.options).items()
         return laws.LAWS[self.law].indentation or (bool(needed) and needed <= chosen)
@@ -202,7 +203,8 @@ class CentralImpact(Experiment):
         """Return the law between the two bodies.
 
         Args:
-            others: Further constants of the law, and options that replace options of the case.
+            others: Further constants of the law, and options that replace the options of the
+                case.
         """
         given = {} if self.surface_energy is None else {"surface_energy": self.surface_energy}
         options = law_options(self.law, self.options)
@@ -212,7 +214,8 @@ class CentralImpact(Experiment):
     def work_of_adhesion(self) -> float | None:
         """Work of adhesion of the two bodies [J/m^2]; NaN without adhesion.
 
-        None if the law needs a value that neither the case nor the material gives.
+        The value is None if the law needs a work of adhesion, but neither the case nor the material
+        defines it.
         """
         if self.surface_energy is not None:
             return self.surface_energy
@@ -311,14 +314,14 @@ class CentralImpact(Experiment):
 
     @classmethod
     def plan(cls, **values: Any) -> list[CentralImpact]:
-        """Return every combination of values.
+        """Return an impact for every combination of field values.
 
         Options apply only to laws that have them; a surface energy applies only to laws with
         adhesion or the option `adhesion jkr`.
 
         Raises:
-            ValueError: A case cannot be run, or no law has the given options or a surface energy;
-                the message gives the reason.
+            ValueError: The inputs of an impact are invalid, no law has the given options, or no law
+                uses the given surface energy; the message gives the reason.
 
         Warns:
             UserWarning: As for `warn_of_idle_surface_energy`.
@@ -329,7 +332,7 @@ class CentralImpact(Experiment):
         if given and not any(map(can_adhere, names)):
             raise ValueError(
                 f"surface_energy is {given[0]}, but {', '.join(names)} has no surface energy. "
-                f"Use one of {', '.join(filter(can_adhere, laws.LAWS))}"
+                f"Use one of the laws {', '.join(filter(can_adhere, laws.LAWS))}"
             )
         having = {options: having_options(names, options) for options in texts}
         cases = combinations(values)

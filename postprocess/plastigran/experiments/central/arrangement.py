@@ -6,7 +6,8 @@ from __future__ import annotations
 from plastigran.materials import NO_WALL, RIGID_WALL, USUAL
 from plastigran.plot.style import title
 
-#: Words of the column `wall` that are not names of materials.
+#: Words that can stand for a material in the column `wall` of the results table: rigid wall, no
+#: wall.
 WALLS = (RIGID_WALL, NO_WALL)
 
 
@@ -23,7 +24,7 @@ def on_wall(wall: str) -> str:
 def run_label(
     geometry: str, material: str, law: str, wall: str = RIGID_WALL, options: str = USUAL
 ) -> str:
-    """Return the part of the name of an impact's folder that follows the number."""
+    """Return the text that follows the number in the folder name of an impact."""
     words = [geometry, material, law]
     words += [] if wall in WALLS else ["on", wall]
     words += [] if options == USUAL else options.split()

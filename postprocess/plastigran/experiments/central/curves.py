@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Data of the charts of a sweep: measured points with lines of theory, and force-overlap loops."""
+"""Data of the charts of central impacts: points with lines of theory, and force-overlap loops."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ from plastigran.plot.chart import DASHES, Curve, Panel
 from plastigran.plot.quantities import PREDICTED, Scale, scale
 from plastigran.plot.style import title
 
-#: Number of points of a theoretical line, and factor by which its range of speeds exceeds the
-#: measured range at both ends.
+#: Number of points of a theoretical line, and factor by which its range of speeds exceeds the range
+#: of the simulated speeds at both ends.
 THEORY_POINTS = 120
 THEORY_MARGIN = 1.3
 #: Columns of the results table that may distinguish curves of one law.
@@ -55,16 +55,16 @@ def measured_panels(
     quantities: Sequence[str],
     abscissa: str,
 ) -> dict[str, Panel]:
-    """Return a panel for each quantity: measured points and a line of theory for each curve.
+    """Return a chart panel for each quantity: simulated points and a line of theory for each law.
 
     Args:
-        table: Results table of a sweep.
+        table: Results table of several impacts.
         materials: As for `central_case`.
         quantities: Columns on the y axes.
         abscissa: Column on the x axes.
 
     Returns:
-        Panels by quantity; none if two rows of a curve have the same abscissa.
+        Panels by quantity; empty if two rows of a curve have the same abscissa.
     """
     groups = curve_groups(table, abscissa)
     if any(rows[abscissa].duplicated().any() for rows in groups.values()):
@@ -76,7 +76,8 @@ def measured_panels(
 def curve_groups(table: pd.DataFrame, abscissa: str) -> Groups:
     """Return the rows of each curve, by law and by a phrase that distinguishes curves of one law.
 
-    The phrase lists the values of the columns in `APART` that differ between curves.
+    The phrase lists the values of those columns in `APART` that differ between the curves, such as
+    "radius 2 mm".
     """
     if abscissa == "geometry" and "wall" in table:  # the geometry implies the wall
         table = table.assign(wall=table["wall"].replace(NO_WALL, RIGID_WALL))
@@ -91,18 +92,18 @@ def curve_groups(table: pd.DataFrame, abscissa: str) -> Groups:
 
 
 def line_styles(groups: Groups) -> dict[str, int]:
-    """Return the index into `DASHES` for each phrase that `curve_groups` returns."""
+    """Return the line style, as an index into `DASHES`, for each phrase from `curve_groups`."""
     words = dict.fromkeys(others for _, others in groups)
     return {others: k % len(DASHES) for k, others in enumerate(words)}
 
 
 def varied(table: pd.DataFrame) -> list[str]:
-    """Return the columns of `APART` that have several values."""
+    """Return those columns in `APART` that have several values in a results table."""
     return [name for name in APART if name in table and table[name].nunique() > 1]
 
 
 def in_words(names: Sequence[str], values: Sequence[object]) -> str:
-    """Return values of a case as text with units, joined by commas."""
+    """Return values of table columns as text with names and units, joined by commas."""
     return ", ".join(filter(None, map(_in_words, names, values)))
 
 
@@ -111,7 +112,7 @@ def _in_words(name: str, value: object) -> str:
         return on_wall(str(value))
     if isinstance(value, str):
         return title(value) if name in ("law", "material") else value.replace("_", " ")
-    if isnan(value):  # the law does not have this quantity
+    if isnan(value):  # the quantity does not apply to the law
         return ""
     axis = scale(name, [value])
     space = "" if axis.unit == "°" else " "
@@ -120,7 +121,7 @@ def _in_words(name: str, value: object) -> str:
 
 
 def _without_lone_defaults(table: pd.DataFrame) -> pd.DataFrame:
-    """Replace the word for default options by "" for laws without other options in the table."""
+    """Replace the word `default` in the column `options` by "" if a law has no other options."""
     if not {"law", "options"} <= set(table):
         return table
     lone = table.groupby("law")["options"].transform("nunique") == 1
@@ -171,7 +172,7 @@ def _abscissae(values: pd.Series) -> np.ndarray:
 
 
 def _is_of_paper(table: pd.DataFrame) -> bool:
-    """Return whether all impacts are of the sphere of Zhang and Vu-Quoc (2002)."""
+    """Return whether all spheres are the sphere of Zhang and Vu-Quoc (2002), without options."""
     if not {"geometry", "material", "radius", "wall", "options"} <= set(table):
         return False
     sphere = (table["material"] == "aluminium_zv02") & (table["radius"] == 0.1)
@@ -189,7 +190,7 @@ def _paper(quantity: str) -> list[Curve]:
 
 
 def _theory(rows: pd.DataFrame, abscissa: str, materials: Mapping[str, Material]) -> pd.DataFrame:
-    """Return the theory at many speeds; the rows themselves if it cannot be computed."""
+    """Return predictions of the law at many speeds; return `rows` if it cannot be evaluated."""
     if abscissa != "speed":
         return rows
     case = central_case(rows.iloc[-1], materials)
@@ -205,15 +206,16 @@ def _theory(rows: pd.DataFrame, abscissa: str, materials: Mapping[str, Material]
 
 
 def central_case(row: pd.Series, materials: Mapping[str, Material]) -> CentralImpact | None:
-    """Return the impact of a row of a results table.
+    """Return the impact that a row of a results table describes.
 
     Args:
         row: Row of the table.
-        materials: Materials in the record of the sweep, by name. Other materials are read by name.
+        materials: Materials in the record of the simulations, by name. Other materials are read
+            from their files.
 
     Returns:
         The impact. None for a row of another experiment, and for a material that is not available
-        or has other constants than in the sweep.
+        or has other constants now than in the simulations.
     """
     if row.get("geometry") not in GEOMETRIES:
         return None
@@ -246,12 +248,12 @@ def loop_panels(
     """Return panels of force versus overlap.
 
     Args:
-        loops: For each impact, its case by columns of the results table, and its table with columns
-            overlap [m] and force [N].
-        panel_by: Column "law" or "speed" of the cases; each of its values gets its own panel.
-        curve_by: Column that names the curves of a panel, "speed" or "law".
+        loops: For each impact, its row of the results table, and a table with the columns overlap
+            [m] and force [N].
+        panel_by: Column "law" or "speed"; each of its values gets its own panel.
+        curve_by: Column whose values name the curves in a panel, "speed" or "law".
         apart: Further columns whose values get separate panels; see `varied`.
-        common_axes: Whether all panels have the same units.
+        common_axes: Whether the axes of all panels have the same units.
 
     Returns:
         Panels by their title.

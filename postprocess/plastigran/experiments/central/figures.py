@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Static figures of a sweep of central impacts: restitution versus speed, force versus overlap."""
+"""Static figures of central impacts: restitution versus speed, and force versus overlap."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from plastigran.plot.chart import Panel
 from plastigran.plot.static import draw
 from plastigran.plot.style import styled, subplots, title
 
-#: Largest number of loops in a panel.
+#: Largest number of force-overlap loops in a panel.
 LOOPS = 5
 RESTITUTION = "coefficient_of_restitution"
 #: Names of the codes that run impacts, by the setting `host`.
@@ -32,8 +32,8 @@ HOSTS = {"liggghts": "LIGGGHTS", "lammps": "LAMMPS"}
 def restitution_figure(runs: Runs) -> Figure:
     """Draw restitution versus impact speed: points of LIGGGHTS or LAMMPS, and lines of theory.
 
-    In a study by theory alone, the points are theory, too. If all impacts are impacts of the sphere
-    of Zhang and Vu-Quoc (2002), the figure also shows their finite-element results.
+    If no impact was simulated, the points are theory, too. If all spheres are the sphere of Zhang
+    and Vu-Quoc (2002), the figure also shows their finite-element results.
     """
     materials = materials_of(runs.cases)
     panel = measured_panels(runs.table, materials, [RESTITUTION], "speed")[RESTITUTION]
@@ -133,7 +133,7 @@ def _grid(count: int, alike: bool) -> tuple[Figure, np.ndarray]:
 
 
 def _label_edges(axes: np.ndarray, count: int, alike: bool) -> None:
-    """Label only the outer axes; show a legend unless the previous panel has the same legend."""
+    """Label only the outer axes of a grid of panels, and omit repetitions of the same legend."""
     columns = axes.shape[1]
     previous_labels = None
     for k, place in enumerate(axes.flat):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Remarks on central impacts, printed with their table."""
+"""Remarks on central impacts, printed below their results table."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ from plastigran.plot.style import title
 if TYPE_CHECKING:
     from plastigran.experiments.central import CentralImpact
 
-#: Smallest relative difference that is visible in the printed table with five digits.
+#: Smallest relative difference that is visible in the printed table, which has five digits.
 VISIBLE = 5e-5
 
 
 def remarks(runs: Runs) -> list[str]:
-    """Return sentences on the bodies, on yield and adhesion, on unsuitable laws and time steps."""
+    """Return sentences on the bodies, yield and adhesion, and on unsuitable laws or time steps."""
     sentences = [_arrangement(runs.cases)]
     if runs.table["surface_energy"].isna().all() and (runs.table["speed_ratio"] < 1).all():
         sentences.append(
