@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The eight benchmark impacts of Chung & Ooi (2011, Granular Matter 13:643), compared with theory.
 
-Each benchmark has a deck in `inputs/collision/chung_ooi`. The file `points.csv` there lists the
-impacts.
+Each benchmark has a deck in `inputs/collision/chung_ooi`. The file `points.csv` in the same folder
+lists the impacts.
 """
 
 from __future__ import annotations
@@ -52,14 +52,14 @@ TITLES = {
 
 DEFAULT_LAW, DEFAULT_STEPS = "vu_quoc_zhang", 1000
 
-#: Tangential models: `history` of LIGGGHTS, and the tangential laws of this project.
+#: Friction models: `history` of LIGGGHTS, and the tangential laws of this project.
 TANGENTIAL_MODELS = ("history", *laws.TANGENTIAL_LAWS)
 #: Options of the normal model `hertz` of LIGGGHTS: normal damping only, no attractive force.
 HERTZ_OPTIONS = "limitForce on tangential_damping off"
 
 
 def folder() -> Path:
-    """Return the folder of the decks.
+    """Return the folder of the benchmark decks.
 
     Raises:
         EngineError: The folder of input scripts does not exist.
@@ -69,18 +69,18 @@ def folder() -> Path:
 
 @attrs.frozen
 class BenchmarkImpact(Experiment):
-    """One impact of one benchmark.
+    """One impact of a benchmark of Chung & Ooi (2011).
 
     Attributes:
         deck_name: Name of the deck, without `.in`; it begins with the number of the benchmark.
         material: Material of the sphere: name of a file in the folder `materials` next to the deck.
-        knob: Name of the deck variable that the benchmark varies.
-        value: Value of the variable `knob`, in the unit of the deck.
+        knob: Name of the deck variable that differs between the impacts of the benchmark.
+        value: Value of this deck variable, in the unit of the deck.
         modulus_ratio: Young's modulus of the second sphere / Young's modulus of the first sphere.
             The default is the value of the deck.
         law: Name of the law; `hertz` is the normal model `hertz` of LIGGGHTS.
-        steps_per_contact: Time steps in an undamped contact.
-        tangential: Name of the tangential model.
+        steps_per_contact: Number of time steps during a contact without damping.
+        tangential: Name of the friction model, one of TANGENTIAL_MODELS.
     """
 
     deck_name: str
@@ -88,11 +88,13 @@ class BenchmarkImpact(Experiment):
     knob: str
     value: float
     modulus_ratio: float | None = number(
-        "modulus of the second sphere / modulus of the first", "-", 0, default=None
+        "Young's modulus of the second sphere / Young's modulus of the first", "-", 0, default=None
     )
     law: str = law_field(DEFAULT_LAW)
-    steps_per_contact: int = whole("time steps per undamped contact", 1, default=DEFAULT_STEPS)
-    tangential: str = word("tangential model", TANGENTIAL_MODELS, default="history")
+    steps_per_contact: int = whole(
+        "number of time steps during a contact without damping", 1, default=DEFAULT_STEPS
+    )
+    tangential: str = word("friction model", TANGENTIAL_MODELS, default="history")
 
     command = "chung-ooi"
     help = "run the eight benchmark impacts of Chung & Ooi (2011) and compare them with theory"
@@ -146,11 +148,13 @@ class BenchmarkImpact(Experiment):
         return defaults | changes
 
     def deck_number(self, name: str, default: float | None = None) -> float:
-        """Return a variable of the deck as a number; a reference ${NAME} is resolved.
+        """Return a variable of the deck as a number.
+
+        If the value is ${NAME}, the result is the value of the variable NAME.
 
         Args:
             name: Name of the variable.
-            default: Value for a deck without this variable; None to require the variable.
+            default: Result for a deck without this variable; None to require the variable.
 
         Raises:
             ValueError: The deck lacks a required variable.
@@ -168,7 +172,7 @@ class BenchmarkImpact(Experiment):
         return read_material(folder() / "materials" / f"{self.material}.in")
 
     def before(self) -> Motion:
-        """Return the motion before the impact."""
+        """Return the motion of the bodies before the impact."""
         if "incident_angle" in self.settings:
             angle, speed = radians(self.deck_number("incident_angle")), self.deck_number("speed")
             normal, along = speed * cos(angle), speed * sin(angle)
@@ -180,7 +184,7 @@ class BenchmarkImpact(Experiment):
         )
 
     def impact(self) -> ObliqueImpact:
-        """Return the impact as input of the theory."""
+        """Return the bodies and their motion before the impact, as input of the theory."""
         body, radius = self.sphere.body(), self.deck_number("radius")
         mass = 4 / 3 * pi * radius**3 * self.sphere.density
         other, radius_other, mass_other = RIGID, inf, inf
@@ -224,7 +228,7 @@ class BenchmarkImpact(Experiment):
     def cases(
         cls, benchmark: Collection[int] = tuple(TITLES), **settings: Any
     ) -> list[BenchmarkImpact]:
-        """Return every impact of some benchmarks, in the order of `points.csv`."""
+        """Return every impact of the benchmarks with the given numbers, ordered as `points.csv`."""
         table = pd.read_csv(folder() / "points.csv", comment="#", dtype={"values": str})
         cases = [
             cls(
@@ -242,7 +246,7 @@ class BenchmarkImpact(Experiment):
 
     @classmethod
     def tables(cls, runs: Runs) -> dict[str, pd.DataFrame]:
-        """Return the largest deviations from theory, and the results of each benchmark."""
+        """Return a table of the largest deviations from theory, and the results per benchmark."""
         parts = {
             f"benchmark_{number}": part.dropna(axis="columns", how="all")
             for number, part in runs.table.groupby("benchmark")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Outcomes of the benchmark impacts: by theory, from a trajectory, and their comparison."""
+"""Outcomes of the benchmark impacts of Chung & Ooi (2011): measured, by theory, and compared."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from plastigran.physics.oblique import Motion, ObliqueImpact
 
 @attrs.frozen(eq=False)
 class BenchmarkOutcome:
-    """Measured or predicted outcome of an impact.
+    """Measured or predicted outcome of a benchmark impact.
 
     Attributes:
         after: Motion of the bodies after the impact.
-        collision: Normal motion of the first body; the prediction is the Hertz theory, without
+        collision: Normal motion of the first body. A prediction follows Hertz's theory, without
             damping.
     """
 
@@ -28,10 +28,11 @@ class BenchmarkOutcome:
 
 
 def predict(impact: ObliqueImpact) -> BenchmarkOutcome:
-    """Predict an impact by theory: spring and slider (`ObliqueImpact.spring_slider`).
+    """Predict an impact with a tangential spring and a slider (`ObliqueImpact.spring_slider`).
 
-    The normal force, including the dashpot, is never attractive. Without damping, largest force,
-    largest overlap and duration follow from Hertz's theory. With damping, these values are NaN.
+    The normal force, which includes the dashpot, is never attractive. Without damping, the largest
+    force, the largest overlap and the duration follow from Hertz's theory. With damping, these
+    three values are NaN.
     """
     force = overlap = duration = nan
     if impact.coefficient_of_restitution == 1:
@@ -54,10 +55,10 @@ def predict(impact: ObliqueImpact) -> BenchmarkOutcome:
 def compare(
     impact: ObliqueImpact, measured: BenchmarkOutcome, predicted: BenchmarkOutcome
 ) -> dict[str, object]:
-    """Return columns of the results table: measured values and two predictions.
+    """Return columns of the results table: measured values, and the predictions of two theories.
 
-    The columns `*_predicted` contain `predicted`. The columns `*_rigid` contain the motion of rigid
-    bodies that slide throughout the impact.
+    The columns `*_predicted` contain the outcome `predicted`. The columns `*_rigid` contain the
+    motion of rigid bodies that slide throughout the impact.
     """
     after, after_predicted, after_rigid = measured.after, predicted.after, impact.rigid_sliding()
     collision, collision_predicted = measured.collision, predicted.collision
@@ -81,7 +82,7 @@ def compare(
         "surface_speed": impact.surface_speed(after),
         "surface_speed_predicted": impact.surface_speed(after_predicted),
         "surface_speed_rigid": impact.surface_speed(after_rigid),
-        # Friction changes the surface speed of a body that slides throughout by this value.
+        # If the bodies slide throughout, friction changes their surface speed by this value.
         "surface_speed_scale": 3.5 * friction * (1 + impact.restitution()) * closing_speed,
         "force_max": collision.force_max,
         "force_max_predicted": collision_predicted.force_max,
@@ -93,7 +94,7 @@ def compare(
 
 
 def motion(trajectory: pd.DataFrame, frame: int) -> Motion:
-    """Return the motion of the bodies in a frame of a trajectory: frame 0 (first) or -1 (last).
+    """Return the motion of the bodies in one frame of a trajectory: 0 is the first, -1 the last.
 
     The normal speed is positive, whether the bodies close or separate.
     """
@@ -108,16 +109,17 @@ def motion(trajectory: pd.DataFrame, frame: int) -> Motion:
 
 
 def agreement(table: pd.DataFrame) -> pd.DataFrame:
-    """Return the largest deviations from theory by benchmark.
+    """Return the largest deviations from theory for each benchmark.
 
     Args:
         table: Results table, `Runs.table`.
 
     Returns:
-        One row per benchmark, with the number of `impacts`. Columns `coefficient_of_restitution`
-        and, without damping, `force_max`, `overlap_max` and `contact_time` are relative deviations.
-        Columns `spring_slider` and, for bodies that slide throughout, `rigid` are deviations of the
-        surface speed, divided by `surface_speed_scale` (see `compare`).
+        One row per benchmark. `impacts` is the number of impacts. `coefficient_of_restitution`,
+        `force_max`, `overlap_max` and `contact_time` are relative deviations; the last three need
+        impacts without damping. `spring_slider` and `rigid` are deviations of the surface speed
+        from these two theories, divided by `surface_speed_scale` (see `compare`); `rigid` needs
+        bodies that slide throughout.
     """
 
     def relative(part: pd.DataFrame, name: str) -> float:

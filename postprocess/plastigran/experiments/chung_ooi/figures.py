@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figures of the benchmark impacts, one per benchmark, in the quantities of Chung & Ooi (2011).
+"""Figures of the benchmark impacts of Chung & Ooi (2011), with the quantities of their paper.
 
 Points are results of LIGGGHTS, lines are theory.
 """
@@ -24,7 +24,7 @@ Entry = tuple[BenchmarkImpact, BenchmarkOutcome]
 
 @dataclass(frozen=True)
 class Quantity:
-    """Quantity on an axis: label, and function of an impact and the motion after it."""
+    """Quantity on an axis: label, and value for an impact and the motion after the impact."""
 
     label: str
     value: Callable[[ObliqueImpact, Motion], float]
@@ -77,7 +77,8 @@ SPIN = Quantity("spin (rad/s)", lambda impact, _: impact.before.spin)
 SPIN_AFTER = Quantity("spin after (rad/s)", lambda _, after: after.spin)
 ALONG = Quantity("speed along the surface after (m/s)", lambda _, after: after.along)
 
-#: Panels of the figure of each oblique benchmark: quantities on the x and y axes.
+#: Quantities on the x and y axes of each panel, by the number of the benchmark. Benchmarks 4 to 8
+#: are oblique impacts.
 PANELS = {
     4: [(ANGLE, TANGENTIAL_RESTITUTION), (ANGLE, SPIN_GAINED), (ANGLE, SURFACE_ANGLE)],
     5: [(INCIDENT, RECOIL), (INCIDENT, SPIN_SCALED)],
@@ -98,11 +99,11 @@ def figure(number: int, outcomes: dict[BenchmarkImpact, BenchmarkOutcome]) -> Fi
     """Draw the figure of one benchmark.
 
     Args:
-        number: 1 to 8.
-        outcomes: Outcomes of any benchmarks, as in `Runs.outcomes`.
+        number: Number of the benchmark, 1 to 8.
+        outcomes: Outcomes of impacts, also of other benchmarks, as in `Runs.outcomes`.
 
     Raises:
-        ValueError: There are no impacts of that benchmark.
+        ValueError: `outcomes` contains no impact of this benchmark.
     """
     series: dict[str, list[Entry]] = {}
     for case, outcome in outcomes.items():
@@ -133,7 +134,7 @@ def figure(number: int, outcomes: dict[BenchmarkImpact, BenchmarkOutcome]) -> Fi
 
 
 def _loops(panels: np.ndarray, entries: list[Entry], style: dict) -> None:
-    """Draw force versus overlap and versus time, with Hertz' curves."""
+    """Draw force versus overlap and versus time, with the curves of Hertz's theory."""
     for case, outcome in entries:
         impact, collision = case.impact(), outcome.collision
         radius, modulus = impact.radius_eff, impact.pair.youngs_modulus_eff
@@ -153,7 +154,10 @@ def _loops(panels: np.ndarray, entries: list[Entry], style: dict) -> None:
 
 
 def _restitutions(axes: Axes, entries: list[Entry], style: dict, last: bool) -> None:
-    """Draw measured versus nominal restitution. With the last series, draw the lines of theory."""
+    """Draw the restitution versus the value for which the dashpot is set.
+
+    If `last` is True, draw the lines of theory, too.
+    """
     impacts = [case.impact() for case, _ in entries]
     nominal = [impact.coefficient_of_restitution for impact in impacts]
     measured = [
@@ -172,7 +176,7 @@ def _restitutions(axes: Axes, entries: list[Entry], style: dict, last: bool) -> 
 def _oblique(
     axes: Axes, panel: tuple[Quantity, Quantity], entries: list[Entry], style: dict
 ) -> None:
-    """Draw measured motions as points, and lines of the spring and slider and of rigid bodies."""
+    """Draw simulated impacts as points, and both theories (spring and slider, rigid) as lines."""
     values = [case.value for case, _ in entries]
     ends = min(values), max(values)
     fine = np.union1d(np.geomspace(*ends, 50), np.linspace(*ends, 50))

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Central impacts of a cylinder on a rigid plane, and the study of Katta & Polycarpou (2010).
+"""Central impacts of a cylinder on a plane, and the study of Katta & Polycarpou (2010).
 
-In this study, a rigid cylinder carries a slider of 1.59 mg and hits glass (J. Tribol. 132:041402).
+In this study (J. Tribol. 132:041402), a rigid cylinder under a slider of 1.59 mg hits glass.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 class CylinderImpact(CentralImpact):
     """One central impact of a cylinder, which is a disc in a two-dimensional deck.
 
-    `material` is the material of the body that yields; the second body is rigid.
+    `material` is the material of the body that yields. The second body is rigid.
 
     Raises:
         ValueError: A field is out of range, the body is too thin to yield under a line contact, or
@@ -57,7 +57,7 @@ class CylinderImpact(CentralImpact):
         "points": Flag(
             30,
             declaration=Declaration(
-                "number of radii and of speeds in a map",
+                "number of radii, and number of speeds, in each map",
                 lower=1,
                 lower_allowed=True,
                 value_type=int,
@@ -105,9 +105,9 @@ class CylinderImpact(CentralImpact):
 
     @classmethod
     def tables(cls, runs: Runs) -> dict[str, pd.DataFrame]:
-        """Return the maps of the study, and a comparison of all methods for one impact.
+        """Return the maps of the study, and a comparison of laws, LIGGGHTS and finite elements.
 
-        This impact is the finite-element impact of the paper.
+        The comparison is for the impact that the paper computed by finite elements.
         """
         table = study.comparison()
         for case, outcome in runs.outcomes.items():

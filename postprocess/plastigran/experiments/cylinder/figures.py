@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figures of the cylinder study: maps by radius and speed, and one finite-element impact."""
+"""Figures of the cylinder study: maps over radius and speed, and a comparison for one impact."""
 
 from __future__ import annotations
 
@@ -22,7 +22,11 @@ from plastigran.plot.style import law_colour, styled, subplots, title
 
 @dataclass(frozen=True)
 class Panel:
-    """Map of one column of the table: factor from SI to the unit in the title, contour levels."""
+    """Contour map of one column of the table that `study` returns.
+
+    `factor` converts the values from SI units to the unit in the title. `levels` are the contour
+    levels in this unit.
+    """
 
     column: str
     factor: float
@@ -83,7 +87,7 @@ def _contours(axes: Axes, table: pd.DataFrame, panel: Panel) -> None:
 
 
 def comparison_figure() -> Figure:
-    """Draw residual overlap and restitution versus speed for both laws and the finite elements."""
+    """Draw residual overlap and restitution versus speed for both laws, and the finite elements."""
     at = FINITE_ELEMENTS
     table = study([at["radius"]], np.linspace(0.01, 1.2, 120) * at["speed"], at["length_ratio"])
     with styled():

@@ -29,16 +29,15 @@ BODY_THICKNESS = 1e-4  # thickness of the glass [m]
 LENGTH_RATIOS = {10.0: 1.0, 100.0: 5.0}
 RADII = (1e-6, 1e-5)  # smallest and largest radius of the maps [m]
 
-#: Impact that the paper computed with finite elements: radius 10 um, length ratio 10, 1 m/s. The
-#: paper gives the residual overlap [m]. The paper also gives the simulated time, which is an upper
-#: bound of the contact time [s].
+#: Impact that the paper computed with finite elements. The paper gives the residual overlap [m] and
+#: the simulated time [s], which is an upper bound of the contact time.
 FINITE_ELEMENTS = {"radius": 1e-5, "length_ratio": 10.0, "speed": 1.0}
 FINITE_ELEMENTS_OVERLAP_RES = 0.12e-6
 FINITE_ELEMENTS_TIME_BOUND = 3e-6
 
 
 def impact(name: str, radius: float, speed: float, length_ratio: float) -> dict[str, object]:
-    """Return one impact of the study, with the columns of `study`.
+    """Compute one impact by a law, and return the row of the table that `study` returns.
 
     Args:
         name: Name of the law.
@@ -76,7 +75,7 @@ def impact(name: str, radius: float, speed: float, length_ratio: float) -> dict[
 def study(
     radii: ArrayLike, speeds: ArrayLike, length_ratio: float, progress: bool = False
 ) -> pd.DataFrame:
-    """Return impacts by both laws for cylinders, as published, for all radii and speeds.
+    """Compute impacts for all radii and speeds by both laws for cylinders, as published.
 
     Args:
         radii: Radii of the cylinder (N,) [m].
@@ -96,7 +95,7 @@ def study(
 
 
 def maps(points: int) -> pd.DataFrame:
-    """Return the study for every length ratio, with `points` radii and `points` speeds."""
+    """Return the table of `study` for every length ratio, with `points` radii and speeds each."""
     radii = np.linspace(*RADII, points)
     return pd.concat(
         [

@@ -58,13 +58,14 @@ class RodImpact(Experiment):
     )
     material: Material = material_field("material of the rod", "steel_gcm15")
     flat: Material = material_field("material of the flat", "iron_gcm15")
-    # The default is `pair`, because in the paper all laws use E* and R* of the pair.
+    # The default is `pair`: all laws in the paper use the effective modulus and radius of the pair.
     reading: str = word(
-        "body whose modulus and radius enter laws fitted to one sphere",
+        "bodies whose modulus and radius enter the laws that were fitted to one sphere",
         ("pair", "yielding_body"),
         default="pair",
     )
-    # The default is (2/H_rod + 2/H_flat)^-1 for the Brinell hardnesses in the paper, 327 and 105.
+    # The default follows from the Brinell hardnesses H in the paper, 327 for the rod and 105 for
+    # the flat: (2/H_rod + 2/H_flat)^-1.
     indentation_pressure: float = number(
         "indentation pressure, for the laws that use it", "Pa", 0, default=3.8971e8
     )
@@ -90,30 +91,34 @@ class RodImpact(Experiment):
     def __attrs_post_init__(self) -> None:
         if self.law == "hertz" and self.tangential == "no_history":
             raise ValueError(
-                "LIGGGHTS' own hertz without damping has no friction with tangential no_history"
+                "law is hertz and tangential is no_history: this combination has no friction in "
+                "LIGGGHTS without damping. Use another law or another tangential model"
             )
         overlap, radius = self.frozen().overlap_max, self.rod.tip_radius
         check_overlap(self, overlap, radius, SPHERE_OVERLAP, "tip radii")
 
     @property
     def pair(self) -> laws.MaterialPair:
-        """Material pair of rod and flat."""
+        """Combined constants of rod and flat."""
         return laws.combine(self.material.body(), self.flat.body())
 
     def contact_law(self, **options: str | float):
-        """Return the law between rod and flat; `options` replace the options of the case."""
+        """Return the law between rod and flat; `options` replace `RodImpact.options`."""
         if any(row["name"] == "indentation_pressure" for row in laws.LAWS[self.law].parameters()):
             options = {"indentation_pressure": self.indentation_pressure, **options}
         return self.material.law(self.law, self.pair, **self.options | options)
 
     @property
     def options(self) -> dict[str, str]:
-        """Options of the law in this case, by name."""
+        """Options of the law, by name: `reading`, if the law has this option."""
         names = {option["name"] for option in laws.LAWS[self.law].options()}
         return {"reading": self.reading} if "reading" in names else {}
 
     def frozen(self) -> laws.ImpactOutcome:
-        """Return the central impact of the tip with its effective mass, `Rod.mass_eff`."""
+        """Return the outcome of a central impact of a sphere that represents the tip.
+
+        The sphere has the radius of the tip, and the effective mass `Rod.mass_eff` at first touch.
+        """
         rod = self.rod
         return self.contact_law().central_impact(rod.tip_radius, rod.mass_eff, self.speed)
 
@@ -123,10 +128,10 @@ class RodImpact(Experiment):
 
     @property
     def timestep(self) -> float:
-        """Half of the recommended time step of the sphere at the tip [s].
+        """Time step [s]: half of the recommended time step of the sphere at the tip.
 
-        The sphere has a sixth of the mass of the rod. The time step check of LIGGGHTS uses only the
-        mass of this sphere.
+        In the deck, this sphere has a sixth of the mass of the rod. The time step check in
+        LIGGGHTS uses only the mass of this sphere.
         """
         rod = self.rod
         return 0.5 * self.contact_law().recommended_timestep(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figures of a rod's impacts: one motion versus time, and outcomes versus impact speed."""
+"""Figures of the impacts of a rod: motion versus time, and outcomes versus impact speed."""
 
 from __future__ import annotations
 
@@ -22,12 +22,12 @@ from plastigran.plot.style import (
 )
 
 MEASURED = MeasuredRun()
-#: Approximate number of points that show a motion in LIGGGHTS.
+#: Approximate number of points that show the motion in LIGGGHTS versus time.
 POINTS = 30
 
 
 def closest_to_measured(impacts: dict[RodImpact, RodOutcome]) -> RodImpact:
-    """Return the run closest to the measured run in angle, then in speed, then in spin."""
+    """Return the impact closest to the experiment in angle, then in speed, then in spin."""
 
     def distance(run: RodImpact) -> tuple[float, float, float]:
         return (
@@ -42,8 +42,8 @@ def closest_to_measured(impacts: dict[RodImpact, RodOutcome]) -> RodImpact:
 def motion_figure(run: RodImpact, measured: RodOutcome) -> Figure:
     """Draw forces, displacement, velocities and angular velocity versus time during contact.
 
-    Lines are the equations of motion, points are LIGGGHTS. If the run has the angle and speed of
-    the measured run, dotted lines show the measured values after the impact.
+    Lines are the equations of motion, points are LIGGGHTS. If `run` has the angle and speed of the
+    experiment `MEASURED`, dotted lines show the values of the experiment after the impact.
     """
     predicted = run.predict().history
     points = measured.history.iloc[:: max(1, len(measured.history) // POINTS)]
@@ -89,10 +89,11 @@ def motion_figure(run: RodImpact, measured: RodOutcome) -> Figure:
 def outcome_figure(table: pd.DataFrame) -> Figure:
     """Draw tip restitution and angular velocity versus impact speed, a column for each angle.
 
-    The star is the measured run of the paper. Its restitution follows from the printed velocities.
+    The star is the experiment whose velocities the paper prints. Its restitution follows from these
+    velocities.
 
     Args:
-        table: Columns of `RodImpact.row`.
+        table: Results table, with the columns of `RodImpact.row`.
     """
     with styled():
         figure, grid = _grid(table, 2)
@@ -121,7 +122,7 @@ def deformation_figure(table: pd.DataFrame) -> Figure:
     """Draw permanent deformation versus impact speed, a column for each angle.
 
     Args:
-        table: Columns of `RodImpact.row`.
+        table: Results table, with the columns of `RodImpact.row`.
     """
     with styled():
         figure, grid = _grid(table, 1)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Measure a rod's impact from the trajectory that its deck writes."""
+"""Measure the impact of a rod from the trajectory that the deck `rod.in` writes."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from plastigran.engine.dumps import read_dump
 from plastigran.experiments.collision import CollisionError, measure_loop
 from plastigran.physics.rod import RodOutcome
 
-#: IDs of the spheres in the deck.
+#: IDs of the three spheres that form the rod in the deck.
 TIP, CENTRE, FAR_END = 1, 2, 3
 
 
@@ -22,7 +22,7 @@ def measure_rod(
     """Measure a rod's impact from the trajectory that `rod.in` writes.
 
     Args:
-        trajectory: Dump, or its table of `read_dump`.
+        trajectory: Path of the dump, or its table from `read_dump`.
         gravitational_acceleration: Value of the deck [m/s^2]; the dumped forces include the weight
             of each sphere.
 
@@ -35,7 +35,7 @@ def measure_rod(
     parts = {number: part.reset_index(drop=True) for number, part in trajectory.groupby("id")}
     if set(parts) != {TIP, CENTRE, FAR_END}:
         raise CollisionError(
-            f"the trajectory has {len(parts)} spheres; the rod of rod.in has three"
+            f"the trajectory has {len(parts)} spheres; the rod in rod.in consists of three"
         )
     tip, centre = parts[TIP], parts[CENTRE]
     force = tip["fy"] + tip["mass"] * gravitational_acceleration

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Printed data of the rod of Ghaednia, Cermik & Marghitu (2015, Int. J. Impact Eng. 86:307)."""
+"""Data of the rod experiments of Ghaednia, Cermik & Marghitu (2015, Int. J. Impact Eng. 86:307)."""
 
 from __future__ import annotations
 
@@ -7,17 +7,19 @@ import attrs
 
 from plastigran.physics.rod import Rod
 
-#: Drop speeds [m/s]. The paper prints the velocities of the run at 2.487 m/s.
+#: Impact speeds of the falling rod [m/s]. The paper prints the velocities of the experiment at
+#: 2.487 m/s.
 PAPER_SPEEDS = (0.5, 1.0, 1.75, 2.487, 3.25, 4.0)
 
 
 @attrs.frozen
 class MeasuredRun:
-    """The run whose velocities the paper prints.
+    """Experiment whose velocities the paper prints.
 
     Attributes:
-        angle: Angle of the rod [degrees].
-        velocity_before, velocity_after: Normal velocity of the rod's center [m/s].
+        angle: Angle between rod and flat [degrees].
+        velocity_before, velocity_after: Normal velocity of the center of the rod before and after
+            the impact [m/s].
         angular_velocity: Angular velocity after the impact [rad/s].
     """
 
@@ -27,13 +29,14 @@ class MeasuredRun:
     angular_velocity: float = -19.67
 
     def impulse(self, rod: Rod) -> float:
-        """Return the normal impulse on the rod [N s], from the velocity change of its center."""
+        """Return the normal impulse on the rod [N s], from the change of its normal velocity."""
         return rod.mass * (self.velocity_after - self.velocity_before)
 
     def coefficient_of_restitution(self, rod: Rod) -> float:
         """Return the coefficient of restitution of the tip [-], impulse / (m_eff v) - 1.
 
-        m_eff is the effective mass of a tip that slides throughout the impact.
+        v is the impact speed, and m_eff the effective mass of a tip that slides throughout the
+        impact.
         """
         return self.impulse(rod) / (rod.mass_eff * -self.velocity_before) - 1
 
@@ -43,7 +46,7 @@ PAPER_FRICTION = {45.0: 0.13, 17.2: 0.20}
 
 
 def paper_rods() -> tuple[Rod, ...]:
-    """Return the two set-ups of the paper."""
+    """Return the rod at the two angles of the paper, with the friction of the paper."""
     return tuple(Rod(*set_up) for set_up in PAPER_FRICTION.items())
 
 
