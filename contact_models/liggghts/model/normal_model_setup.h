@@ -208,9 +208,9 @@ class NormalModelSetup : public NormalModelBase {
     if (comm->me == 0) {
       if (!reported_) report_unused(deck, mixed.has_foreign);
       if (!mixed.text.empty() && mixed.first == owner_.name())
-        checks_.warn_once("the pair_style and wall lines have different normal models: " +
-                          mixed.text +
-                          ". Use one model in all lines, unless the difference is intended");
+        checks_.warn_once(
+            "the pair_style and wall lines have different normal models: " + mixed.text +
+            ". Use one model in all lines, unless the difference is intended");
     }
     reported_ = true;
   }
