@@ -191,8 +191,9 @@ class Adhesive {
   PLASTIGRAN_DEVICE double yield_radius(double radius_eff, const State& state) const {
     return state.strength_factor * yield_radius_ratio_ * radius_eff;
   }
-  // Returns B = c R*/a_y^(3/2) = 2 (1 - 1/k), which measures adhesion. In first loading, the
-  // displacement due to adhesion is D = B x^(1/4) overlap_y with x = overlap_1/overlap_y.
+  // Returns B = c R*/a_y^(3/2), which measures adhesion. B is 2 (1 - 1/k) unless k is at its lower
+  // limit. In first loading, the displacement due to adhesion is D = B x^(1/4) overlap_y with
+  // x = overlap_1/overlap_y.
   PLASTIGRAN_DEVICE double number(double radius_eff, const State& state) const {
     const double k = state.strength_factor;
     return 2 * onset_ / std::sqrt(radius_eff * k * k * k);

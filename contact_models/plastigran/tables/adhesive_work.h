@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // Work of first loading of a law with adhesion (adhesive.h). It depends on x = overlap_1/overlap_y
-// and on B = 2 (1 - 1/k), which measures adhesion; k is the strength factor of a contact.
+// and on B = c R*/a_y^(3/2) with c = (2 pi Gamma/E*)^(1/2), which measures adhesion. a_y, the
+// contact radius at yield, is proportional to the strength factor k of a contact.
 //
 // The work of first loading is a polynomial in B, whose coefficients are tabulated as functions of
 // x. Plastic work is this work minus the elastic and surface energy at the largest overlap.
