@@ -76,7 +76,7 @@ def follow_in_chroot(folder: Path) -> int:
         SystemExit: mmdebstrap is missing.
     """
     if not shutil.which("mmdebstrap"):
-        raise SystemExit("mmdebstrap is missing: apt-get install mmdebstrap")
+        raise SystemExit("mmdebstrap is missing. Install it with `apt-get install mmdebstrap`")
     root = folder / "debian"
     subprocess.run(
         ["mmdebstrap", "--variant=minbase", "--include=ca-certificates", "bookworm", root],

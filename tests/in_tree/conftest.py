@@ -21,7 +21,7 @@ BUILD = (HERE / "build_upstream.sh", HERE.parents[1] / "build/in-tree", *IN_TREE
 def in_tree():
     """Program: upstream LIGGGHTS, built with some laws of this project in its source tree."""
     if not shutil.which("apt-get"):
-        pytest.skip("the LIGGGHTS source comes from Debian's source package; no apt-get here")
+        pytest.skip("apt-get is missing; it downloads the source package of LIGGGHTS from Debian")
     build = subprocess.run(BUILD, capture_output=True, text=True)
     assert build.returncode == 0, build.stderr[-10000:]
     return build.stdout.splitlines()[-1]

@@ -72,7 +72,7 @@ def test_jkr_forms_and_breaks_where_the_paper_says():
     last = law.respond(RADIUS, -distance * (1 - 1e-9), state)
     assert last.force == pytest.approx(-5 / 9 * pull_off, rel=1e-4)
     assert law.respond(RADIUS, -distance * (1 + 1e-9), state).force == 0
-    assert law.respond(RADIUS, -0.5 * distance, state).force == 0, "the contact has ended"
+    assert law.respond(RADIUS, -0.5 * distance, state).force == 0, "the contact has not ended"
 
 
 def test_jkr_restitution_is_the_closed_form():
@@ -383,7 +383,7 @@ def test_the_pull_off_force_is_the_largest_attraction_during_unloading(name):
         force = law.pull_off_force(RADIUS, largest, state)
         unloading = np.linspace(largest, -law.pull_off_distance(RADIUS), 4001)
         attraction = -law.follow(RADIUS, unloading, state.copy())["force"].min()
-        assert force > 1.01 * 1.5 * pi * GAMMA * RADIUS, "the contact has yielded"
+        assert force > 1.01 * 1.5 * pi * GAMMA * RADIUS, "the contact has not yielded"
         assert force == pytest.approx(attraction, rel=4e-3 if name == "universal" else 2e-5)
 
 
