@@ -12,10 +12,11 @@ from plastigran import laws
 
 
 def _separation_work() -> float:
-    """Return the work of separation from zero overlap to pull-off.
+    """Return the work of separation of JKR spheres, from zero overlap to pull-off [-].
 
-    The work is in units of (Gamma^5 R*^4/E*^2)^(1/3). Let a be the contact radius, E* = R* = Gamma
-    = 1 and c = (2 pi)^(1/2). In the JKR theory, force and overlap are then polynomials in a^(1/2).
+    The work is divided by (Gamma^5 R*^4/E*^2)^(1/3), with the work of adhesion Gamma, the effective
+    radius R* and the effective Young's modulus E*. Let a be the contact radius, E* = R* = Gamma = 1
+    and c = (2 pi)^(1/2). In the JKR theory, force and overlap are then polynomials in a^(1/2).
     """
     c = (2 * pi) ** 0.5
     overlap = np.polynomial.Polynomial([0, -c, 0, 0, 1])
@@ -55,7 +56,9 @@ def jkr_surface_energy(
     youngs_modulus_eff: ArrayLike,
     mass_eff: ArrayLike,
 ) -> np.ndarray | float:
-    """Return the work of adhesion for a sticking speed [J/m2], the inverse of `jkr_sticking_speed`.
+    """Return the work of adhesion [J/m2] for a sticking speed.
+
+    This function is the inverse of `jkr_sticking_speed`.
 
     Args:
         sticking_speed: Speed below which the spheres stick [m/s].
@@ -71,14 +74,15 @@ def sticking_speed(
 ) -> float:
     """Return the largest speed at which two bodies stick [m/s]; 0 if they stick at no speed.
 
-    Some laws, such as `luding_2008`, rebound at low speeds and stick at higher ones.
+    The search starts at the fastest speed. With some laws, such as `luding_2008`, the bodies
+    rebound at low speeds but stick at higher speeds.
 
     Args:
         law: Law between the bodies.
         radius_eff: Effective radius R* [m].
         mass_eff: Effective mass m* [kg].
-        slowest, fastest: Bounds of the search [m/s], which tries 64 speeds first. Speeds at which
-            the overlap would be too large to compute are left out.
+        slowest, fastest: Bounds of the search [m/s]. The search tries 64 speeds, then bisects. It
+            omits speeds at which the overlap would be too large to compute.
 
     Raises:
         ValueError: The bodies stick at the fastest speed that can be computed, or no speed can be
@@ -88,7 +92,7 @@ def sticking_speed(
     def sticks(speed: float) -> bool:
         return law.central_impact(radius_eff, mass_eff, speed).coefficient_of_restitution == 0
 
-    upper = None  # lowest speed tried so far at which the bodies rebound
+    upper = None  # lowest speed so far at which the bodies rebound
     for lower in np.geomspace(fastest, slowest, 64):
         try:
             if sticks(lower):
@@ -113,14 +117,14 @@ def plastic_pull_off_force(
 ) -> float:
     """Return the pull-off force of a fully plastic contact that unloads elastically [N].
 
-    At the largest load, the pressure p is the same over the whole contact of radius a_0. At a
-    smaller radius a, the force is
+    At the largest load, the pressure p is the same over the whole contact of radius a_0. During
+    unloading to a smaller contact radius a, the force is
 
         F = 2 p a_0^2 (asin x - x (1 - x^2)^(1/2)) - (8 pi E* Gamma a^3)^(1/2),   x = a/a_0
 
-    and the pull-off force is the largest attraction. The first term is a superposition of flat
-    punches, as in Mesarovic & Johnson 2000 (J. Mech. Phys. Solids 48:2009); the adhesion follows
-    the JKR theory.
+    The pull-off force is the largest attractive force. The first term is a superposition of flat
+    punches, as in Mesarovic & Johnson 2000 (J. Mech. Phys. Solids 48:2009). The second term is the
+    adhesion in the JKR theory.
 
     Args:
         surface_energy: Work of adhesion Gamma [J/m2].

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Velocity profile of a chute flow, and the fit of Bagnold's profile."""
+"""Velocity profile of a granular flow down a chute, and a fit of Bagnold's profile."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 import pandas as pd
 
-#: Fractions of the depth between which Bagnold's profile is fitted. Layers at the base slip, and
-#: grains at the surface bounce.
+#: Fractions of the flow depth between which Bagnold's profile is fitted. The fit omits the base,
+#: where layers slip, and the surface, where grains bounce.
 FITTED = (0.15, 0.95)
 
 
@@ -17,12 +17,14 @@ FITTED = (0.15, 0.95)
 class Profile:
     """Velocity profile, and the fit of Bagnold's profile v = slip + rate (h^1.5 - (h - z)^1.5).
 
+    v is the speed at the height z above the base, and h the depth of the flow.
+
     Attributes:
-        table: Columns height [m] above the base, speed [m/s], speed_predicted [m/s] and count; one
-            row per bin.
+        table: One row per bin of height. The columns are height [m] above the base, speed [m/s],
+            speed_predicted [m/s] and count, the number of grain velocities in the bin.
         depth: Depth h of the flow [m], twice the height of the center of mass.
         slip: Speed at the base [m/s].
-        rate: Factor of the profile [m^(-1/2)/s].
+        rate: Factor `rate` of the profile [m^(-1/2)/s].
         residual: Root mean square of speed - speed_predicted in the fitted bins, divided by the
             speed at the surface [-].
     """
@@ -40,10 +42,11 @@ class Profile:
 
 
 def fit_profile(grains: pd.DataFrame, diameter: float) -> Profile:
-    """Fit Bagnold's profile to the mean speed in bins of half a grain diameter.
+    """Fit Bagnold's profile to the mean speed in bins of height, each half a grain diameter thick.
 
     Args:
-        grains: Frames of fixed and flowing grains: columns id, z, radius [m], vx, vy, vz [m/s].
+        grains: Frames of all grains, the fixed grains of the base included. The columns are id, z,
+            radius [m], vx, vy, vz [m/s].
         diameter: Mean diameter of the grains [m].
     """
     held = (grains[["vx", "vy", "vz"]] == 0).all(axis="columns")

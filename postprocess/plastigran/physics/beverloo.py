@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Discharge of grains through a round orifice: Beverloo's law, and the rate of a run.
+"""Discharge of grains through a round orifice: Beverloo's law, and the rate in a simulation.
 
-The discharge rate is W = C rho_b sqrt(g) (D0 - k d)^(5/2), independent of the filling level
-(Beverloo, Leniger & van de Velde 1961, Chem. Eng. Sci. 15:260). rho_b is the density of the bed at
-rest, D0 the orifice diameter, d the grain diameter. C and k are empirical.
+The discharge rate is W = C rho_b sqrt(g) (D0 - k d)^(5/2) in kg/s, independent of the filling level
+(Beverloo, Leniger & van de Velde 1961, Chem. Eng. Sci. 15:260). rho_b is the bulk density of the
+bed at rest, g the gravitational acceleration, D0 the orifice diameter and d the grain diameter. C
+and k are empirical.
 """
 
 from __future__ import annotations
@@ -20,13 +21,13 @@ from scipy.optimize import curve_fit
 COEFFICIENTS = (0.55, 0.65)
 EMPTY_ANNULI = (1.0, 2.0)
 
-#: Smallest volume fraction of a packing of spheres; a bed with a lower value is too shallow to
-#: measure.
+#: Smallest volume fraction of a packing of spheres. If the measured volume fraction is lower, the
+#: bed is too shallow for the measurement.
 LOOSEST = 0.5
-#: Discharged fraction of the grains at which the steady part ends, because the level is then near
-#: the cone.
+#: Discharged fraction of the grains at which the steady discharge ends, because the surface of the
+#: bed is then near the cone of the hopper.
 STEADY_SHARE = 0.5
-#: Number of blocks of equal duration that determine the error of the rate; must be even.
+#: Number of time blocks of equal length whose scatter gives the error of the rate; must be even.
 BLOCKS = 10
 
 
@@ -43,7 +44,7 @@ def discharge_rate(
     Args:
         orifice: Orifice diameter [m].
         diameter: Grain diameter [m].
-        bulk_density: Density of the bed at rest [kg/m^3].
+        bulk_density: Bulk density of the bed at rest [kg/m^3].
         gravitational_acceleration: Gravitational acceleration [m/s^2].
         coefficient: Constant C of Beverloo's law [-].
         empty_annulus: Constant k of Beverloo's law [-]; grain centers stay k/2 diameters away from
@@ -63,22 +64,22 @@ def discharge_rate(
 
 @dataclass(frozen=True)
 class Discharge:
-    """Steady discharge of a run.
+    """Steady discharge in a simulation.
 
     Attributes:
         orifice: Orifice diameter [m].
         diameter: Grain diameter [m].
-        bulk_density: Density of the bed before the orifice opened [kg/m^3].
+        bulk_density: Bulk density of the bed before the orifice opened [kg/m^3].
         gravitational_acceleration: Gravitational acceleration [m/s^2].
         rate: Discharge rate [kg/s].
-        rate_error: Standard deviation of the rate, from the scatter of its blocks [kg/s].
+        rate_error: Standard deviation of the rate, from the scatter between time blocks [kg/s].
         change: Change of the rate from the first to the second half of the steady part [kg/s].
-        change_error: Standard deviation of the change, from the scatter of the blocks in each half
-            [kg/s].
+        change_error: Standard deviation of `change`, from the scatter between the time blocks of
+            each half [kg/s].
         start: Start of the steady part [s].
         stop: End of the steady part [s].
-        coefficient: C of Beverloo's law for comparison [-].
-        empty_annulus: k of Beverloo's law for comparison [-].
+        coefficient: Constant C of Beverloo's law, for comparison [-].
+        empty_annulus: Constant k of Beverloo's law, for comparison [-].
     """
 
     orifice: float
@@ -101,7 +102,7 @@ class Discharge:
 
     @property
     def band(self) -> tuple[float, float]:
-        """Smallest and largest rate for C in `COEFFICIENTS` and k in `EMPTY_ANNULI` [kg/s]."""
+        """Smallest and largest rate by Beverloo's law with C and k from experiments [kg/s]."""
         return (
             self._rate(min(COEFFICIENTS), max(EMPTY_ANNULI)),
             self._rate(max(COEFFICIENTS), min(EMPTY_ANNULI)),
@@ -113,9 +114,10 @@ class Discharge:
 
     @property
     def reduced(self) -> float:
-        """Reduced rate (W/(rho_b sqrt(g)))^(2/5) [m].
+        """Reduced discharge rate (W/(rho_b sqrt(g)))^(2/5) [m].
 
-        In Beverloo's law, the reduced rate is a linear function of the orifice diameter.
+        W is the discharge rate, rho_b the bulk density and g the gravitational acceleration. In
+        Beverloo's law, the reduced rate is a linear function of the orifice diameter.
         """
         return (self.rate / (self.bulk_density * self.gravitational_acceleration**0.5)) ** 0.4
 
@@ -129,25 +131,26 @@ def measure_discharge(
     coefficient: float,
     empty_annulus: float,
 ) -> Discharge | None:
-    """Measure the rate of the steady part: fit a line to the discharged grains versus time.
+    """Measure the rate of the steady discharge: fit a line to the discharged grains versus time.
 
-    The steady part begins after the time sqrt(2 D0/g), in which the flow develops. This time is the
-    duration of a free fall by one orifice diameter. The steady part ends when `STEADY_SHARE` of the
-    grains are discharged, because the level is then near the cone.
+    The steady part begins after the time of a free fall by one orifice diameter, during which the
+    flow develops. It ends when `STEADY_SHARE` of the grains are discharged, because the surface of
+    the bed is then near the cone of the hopper.
 
     Args:
-        series: Columns time [s] since the orifice opened, atoms, counted (discharged grains), and
-            packing (volume fraction of the bed; the first row is used).
+        series: Table with the columns time [s] since the orifice opened, atoms (grains), counted
+            (discharged grains), and packing (volume fraction of the bed; only the first row is
+            used).
         orifice: Orifice diameter [m].
         diameter: Grain diameter [m].
         density: Grain density [kg/m^3].
         gravitational_acceleration: Gravitational acceleration [m/s^2].
-        coefficient: C of Beverloo's law for comparison [-].
-        empty_annulus: k of Beverloo's law for comparison [-].
+        coefficient: Constant C of Beverloo's law, for comparison [-].
+        empty_annulus: Constant k of Beverloo's law, for comparison [-].
 
     Returns:
-        The discharge; None if the run ended too early, has fewer than two rows per block, or its
-        bed is too shallow.
+        The discharge. None if the simulation ended too early, if the steady part has fewer than two
+        rows per time block, or if the bed is too shallow.
     """
     grains, out = series["atoms"].iloc[0], series["counted"]
     early = series["time"] < (2 * orifice / gravitational_acceleration) ** 0.5
@@ -188,15 +191,19 @@ class Constants:
 
 
 def fit_constants(discharges: list[Discharge]) -> Constants:
-    """Fit C and k of Beverloo's law: a line through the reduced rate versus orifice diameter.
+    """Fit C and k of Beverloo's law by a line through the reduced rates versus orifice diameter.
 
     Raises:
-        ValueError: There are fewer than three orifices, or grains of different sizes.
+        ValueError: There are fewer than three orifice diameters, or several grain diameters.
     """
     diameters = {discharge.diameter for discharge in discharges}
     orifices = [discharge.orifice for discharge in discharges]
     if len(set(orifices)) < 3 or len(diameters) != 1:
-        raise ValueError("C and k need three or more orifices, with grains of one size")
+        raise ValueError(
+            "C and k of Beverloo's law cannot be fitted: the fit needs three or more orifice "
+            f"diameters and one grain diameter, but the runs have {len(set(orifices))} and "
+            f"{len(diameters)}"
+        )
     diameter = diameters.pop()
     fitted, covariance = curve_fit(
         lambda width, coefficient, annulus: coefficient**0.4 * (width - annulus * diameter),

@@ -44,7 +44,10 @@ def hertz_overlap_max(
 def hertz_force_max(
     radius_eff: float, mass_eff: float, youngs_modulus_eff: float, speed: ArrayLike
 ) -> np.ndarray:
-    """Return the largest force of an elastic impact [N], the Hertz force at `hertz_overlap_max`."""
+    """Return the largest force of an elastic impact [N], the force at `hertz_overlap_max`.
+
+    Arguments and source are as for `hertz_duration`.
+    """
     overlap = hertz_overlap_max(radius_eff, mass_eff, youngs_modulus_eff, speed)
     return hertz_force(radius_eff, youngs_modulus_eff, overlap)
 
@@ -56,10 +59,10 @@ def viscoelastic_number(
     youngs_modulus_eff: float,
     speed: ArrayLike,
 ) -> np.ndarray:
-    """Return v* = (3/2 A)^(1/2) (rho_k/m*)^(1/5) v^(1/10) [-], with rho_k = 4/3 E* sqrt(R*).
+    """Return the dimensionless impact speed v* of viscoelastic spheres [-].
 
-    The restitution of viscoelastic spheres depends only on v*. For bodies of one material, v* is
-    proportional to R^(-1/2).
+    v* = (3/2 A)^(1/2) (rho_k/m*)^(1/5) v^(1/10) with rho_k = 4/3 E* sqrt(R*). The restitution
+    depends only on v*. For bodies of one material, v* is proportional to R^(-1/2).
 
     Args:
         dissipative_constant: Ratio A of viscous to elastic constants [s].
@@ -119,11 +122,11 @@ def hertz_history(
 
 
 def damping_ratio(coefficient_of_restitution: ArrayLike) -> np.ndarray:
-    """Return the damping ratio of the dashpot [-], -ln e / (pi^2 + ln^2 e)^(1/2).
+    """Return the damping ratio of the dashpot for a restitution [-], -ln e / (pi^2 + ln^2 e)^(1/2).
 
-    The coefficient of restitution e may have any shape.
-    With x = overlap^(5/4) and d tau = overlap^(1/4) dt, the damped Hertzian contact is a linear
-    oscillator of this damping ratio (Antypov & Elliott 2011, Europhys. Lett. 94:50004).
+    The coefficient of restitution e may have any shape. In the variables x = overlap^(5/4) and
+    d tau = overlap^(1/4) dt, a Hertzian contact with this dashpot is a linear oscillator with this
+    damping ratio (Antypov & Elliott 2011, Europhys. Lett. 94:50004).
     """
     logarithm = np.log(np.asarray(coefficient_of_restitution, dtype=float))
     return -logarithm / np.hypot(np.pi, logarithm)
@@ -132,13 +135,13 @@ def damping_ratio(coefficient_of_restitution: ArrayLike) -> np.ndarray:
 def restitution_without_pull(coefficient_of_restitution: ArrayLike) -> np.ndarray:
     """Return the restitution [-] of a damped Hertzian contact that ends at zero force.
 
-    The dashpot is set for the restitution `coefficient_of_restitution` e of a contact that may
-    attract until the overlap is zero. If the contact ends at zero force, the restitution is
-    e^(1 - 2/pi atan(-ln e / pi)).
+    The dashpot is set for a nominal restitution e, `coefficient_of_restitution`. A contact has this
+    restitution if its force may become attractive until the overlap is zero. If the contact ends at
+    zero force, the restitution is e^(1 - 2/pi atan(-ln e / pi)).
 
-    In an oscillator with the `damping_ratio` sin(a), the force vanishes at the phase pi - 2a. There
-    the speed is exp(-tan(a) (pi - 2a)) of the initial speed, and e = exp(-pi tan(a)). Schwager &
-    Pöschel 2007 (Granular Matter 9:465) treat the linear contact.
+    Derivation: In an oscillator with the `damping_ratio` sin(a), the force vanishes at the phase
+    pi - 2a. The speed is then exp(-tan(a) (pi - 2a)) times the initial speed, and
+    e = exp(-pi tan(a)). Schwager & Pöschel 2007 (Granular Matter 9:465) treat the linear contact.
     """
     e = np.asarray(coefficient_of_restitution, dtype=float)
     return e ** (1 - 2 / np.pi * np.arctan(-np.log(e) / np.pi))
@@ -147,7 +150,8 @@ def restitution_without_pull(coefficient_of_restitution: ArrayLike) -> np.ndarra
 def sphere_yield(pair: laws.MaterialPair, radius_eff: float) -> tuple[float, float, float]:
     """Return the yield point of the Hertzian contact of spheres, where the largest pressure is p_y.
 
-    a_y = pi p_y R*/(2 E*), overlap_y = a_y^2/R*, F_y = 4/3 E* a_y^3/R*, W_y = 2/5 F_y overlap_y.
+    The contact radius is a_y = pi p_y R*/(2 E*), with the yield pressure p_y and the effective
+    Young's modulus E*. Then overlap_y = a_y^2/R*, F_y = 4/3 E* a_y^3/R*, W_y = 2/5 F_y overlap_y.
 
     Args:
         pair: Constants of the two bodies.
@@ -166,8 +170,8 @@ def sphere_yield(pair: laws.MaterialPair, radius_eff: float) -> tuple[float, flo
 def yield_speed(pair: laws.MaterialPair, radius_eff: float, mass_eff: float) -> float:
     """Return the closing speed at which a central impact just reaches yield [m/s].
 
-    The yield speed v_y follows from 1/2 m* v_y^2 = 2/5 F_y overlap_y; Thornton 1997, J. Appl. Mech.
-    64:383, eq. 22.
+    The yield speed v_y follows from 1/2 m* v_y^2 = 2/5 F_y overlap_y, with the results F_y and
+    overlap_y of `sphere_yield`. Source: Thornton 1997, J. Appl. Mech. 64:383, eq. 22.
     """
     *_, work = sphere_yield(pair, radius_eff)
     return sqrt(2 * work / mass_eff)
@@ -180,6 +184,8 @@ def line_yield(
 
     With E' = pi E* and C = 2 ln(body_thickness/R*) + 2 ln(E'/(6 sigma_Y)) - nu/(1-nu):
     F_Y = 36 sigma_Y^2 R* L/E', overlap_Y = R* (6 sigma_Y/E')^2 C, W_Y = F_Y overlap_Y (2C-1)/(4C).
+    E* is the effective Young's modulus. sigma_Y and nu are the yield strength and the Poisson's
+    ratio of the body that yields.
 
     Args:
         pair: Constants of the two bodies.

@@ -13,8 +13,9 @@ def contact_time(law, radius_eff: float, mass_eff: float, speed: float) -> tuple
     """Return the time to the largest overlap and the time to the end of the contact.
 
     The time is the integral of d(overlap)/speed, where 1/2 m* speed^2 is the remaining kinetic
-    energy. The speed is zero at the largest overlap. The variable of the Gauss-Legendre quadrature
-    is therefore the square root of the distance to the largest overlap.
+    energy. The integrand is singular at the largest overlap, where the speed is zero. The variable
+    of the Gauss-Legendre quadrature is therefore the square root of the distance from the largest
+    overlap.
 
     Args:
         law: Instance of a class of `plastigran.laws.LAWS` whose force depends only on overlap.
@@ -27,7 +28,7 @@ def contact_time(law, radius_eff: float, mass_eff: float, speed: float) -> tuple
     """
     law = law.at_impact(radius_eff, speed)
     impact = law.central_impact(radius_eff, mass_eff, speed)
-    root = 0.5 * (1 - _NODES)  # descending roots, so that overlaps increase along first loading
+    root = 0.5 * (1 - _NODES)  # in descending order, so that the overlaps increase for the law
 
     def time(start: float, energy) -> float:
         way = impact.overlap_max - start

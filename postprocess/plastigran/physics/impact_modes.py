@@ -19,7 +19,7 @@ from plastigran.physics.modes import sphere_modes
 def impact_modes(
     youngs_modulus: float, poissons_ratio: float, density: float, radius: float, highest: float
 ) -> pd.DataFrame:
-    """Return all radial and spheroidal modes up to a frequency.
+    """Return all radial and spheroidal modes of a sphere up to a frequency.
 
     Args:
         youngs_modulus, poissons_ratio, density, radius: As for `sphere_modes`.
@@ -53,15 +53,15 @@ def impact_modes(
 
 
 def nearest_modes(frequencies: ArrayLike, modes: pd.DataFrame) -> pd.DataFrame:
-    """Return the mode closest to each frequency.
+    """Return the mode with the closest frequency for each of the given frequencies.
 
     Args:
         frequencies: Frequencies (n,) [Hz].
         modes: Modes of `impact_modes` or `sphere_modes`.
 
     Returns:
-        One row per frequency: the columns of `modes`, `measured` (the frequency [Hz]) and
-        `difference` (relative difference from the mode [-]).
+        One row per frequency. The columns are the columns of `modes`, `measured` (the given
+        frequency [Hz]) and `difference` (relative to the frequency of the mode [-]).
     """
     measured = np.asarray(frequencies, dtype=float)
     exact = modes["frequency"].to_numpy()

@@ -2,8 +2,9 @@
 """Free vibrations of a homogeneous elastic sphere, to judge quasi-static contact laws.
 
 Toroidal modes shear the sphere along its surface. Spheroidal modes displace the surface; spheroidal
-modes of degree 0 are radial. x = k a and y = h a are the radius a times the wave numbers of shear
-and compression at the frequency of the mode. y/x = c_t/c_l depends only on Poisson's ratio.
+modes of degree 0 are radial. Let k and h be the wave numbers of shear and compression waves at the
+frequency of a mode. The code uses x = k a and y = h a, with the radius a of the sphere. The ratio
+y/x = c_t/c_l of the speeds of shear and compression waves depends only on Poisson's ratio.
 
 Sources: Lamb 1882 (Proc. Lond. Math. Soc. s1-13:189); Love, Mathematical Theory of Elasticity
 (1927), ch. XII.
@@ -20,15 +21,15 @@ import pandas as pd
 from scipy.optimize import brentq
 from scipy.special import spherical_jn
 
-#: Step of x in the search for spheroidal modes. Most modes are some twenty steps apart; bisection
-#: separates closer modes.
+#: Step of x = k a in the search for spheroidal modes. Most modes are some twenty steps apart;
+#: bisection separates closer modes.
 STEP = 0.1
 
 Function = Callable[[float], float]
 
 
 def wave_speed_ratio(poissons_ratio: float) -> float:
-    """Return the ratio of shear to compression wave speed c_t/c_l [-]."""
+    """Return the ratio c_t/c_l of the speeds of shear and compression waves [-]."""
     return sqrt((1 - 2 * poissons_ratio) / (2 * (1 - poissons_ratio)))
 
 
@@ -47,12 +48,13 @@ def sphere_modes(
         poissons_ratio: Poisson's ratio nu, between -1 and 0.5 [-].
         density: Density [kg/m^3].
         radius: Radius a of the sphere [m].
-        degrees: Degrees n of the spherical harmonics; 0 has radial modes only.
+        degrees: Degrees n of the spherical harmonics; degree 0 has radial modes only.
         overtones: Number of modes for each kind and degree.
 
     Returns:
-        One row per mode, sorted by frequency: kind (radial, spheroidal, toroidal), degree,
-        overtone (0 is the lowest), wave numbers ka and ha [-], frequency [Hz].
+        One row per mode, sorted by frequency. The columns are kind (radial, spheroidal or
+        toroidal), degree, overtone (0 is the lowest), ka and ha [-] (wave numbers of shear and
+        compression waves times the radius), and frequency [Hz].
 
     Raises:
         ValueError: Poisson's ratio is out of range.
@@ -93,19 +95,24 @@ def bessel_zeros(degree: int, count: int) -> np.ndarray:
 
 
 def roots_between(function: Function, edges: np.ndarray) -> np.ndarray:
-    """Return the root in each interval between adjacent edges, (len(edges) - 1,)."""
+    """Return the root of a function between each two adjacent edges, (len(edges) - 1,)."""
     return np.array([brentq(function, a, b, xtol=1e-14, rtol=1e-15) for a, b in pairwise(edges)])
 
 
 def toroidal(degree: int, x: float) -> float:
-    """Return the surface shear stress x j_n'(x) - j_n(x), zero if x is k a of a toroidal mode."""
+    """Return x j_n'(x) - j_n(x), the scaled shear stress on the surface in a toroidal motion.
+
+    j_n is the spherical Bessel function of the degree. The stress is zero if x is the wave number
+    k a of a toroidal mode.
+    """
     return x * spherical_jn(degree, x, derivative=True) - spherical_jn(degree, x)
 
 
 def radial(poissons_ratio: float, y: float) -> float:
-    """Return y j_0(y) - 4 (c_t/c_l)^2 j_1(y), the normal stress on the surface.
+    """Return y j_0(y) - 4 (c_t/c_l)^2 j_1(y), the scaled normal stress in a radial motion.
 
-    The stress is zero if y is the wave number h a of a radial mode.
+    j_0 and j_1 are spherical Bessel functions. The stress on the surface is zero if y is the wave
+    number h a of a radial mode.
     """
     return y * spherical_jn(0, y) - 4 * wave_speed_ratio(poissons_ratio) ** 2 * spherical_jn(1, y)
 
@@ -113,9 +120,9 @@ def radial(poissons_ratio: float, y: float) -> float:
 def toroidal_roots(degree: int, count: int) -> np.ndarray:
     """Return the wave numbers k a of the first toroidal modes (count,) [-].
 
-    x j_n'/j_n decreases from n at x = 0, and from +inf to -inf between zeros of j_n. This quotient
-    therefore equals 1 once before each zero. For n = 1, the first root is x = 0, the rotation of
-    the sphere.
+    With the spherical Bessel function j_n, the quotient x j_n'/j_n decreases from n at x = 0, and
+    from +inf to -inf between zeros of j_n. The quotient therefore equals 1 once before each zero.
+    For n = 1, the first root is x = 0, which is the rotation of the sphere and not a vibration.
     """
     zeros = bessel_zeros(degree, count + 1)
     edges = zeros if degree == 1 else np.concatenate([[1e-3 * degree], zeros[:-1]])
@@ -125,8 +132,9 @@ def toroidal_roots(degree: int, count: int) -> np.ndarray:
 def radial_roots(poissons_ratio: float, count: int) -> np.ndarray:
     """Return the wave numbers h a of the first radial modes (count,) [-].
 
-    y j_0/j_1 decreases from 3 at y = 0, and from +inf to -inf between zeros of j_1. This quotient
-    therefore equals 4 (c_t/c_l)^2 < 3 once before each zero.
+    With the spherical Bessel functions j_0 and j_1, the quotient y j_0/j_1 decreases from 3 at
+    y = 0, and from +inf to -inf between zeros of j_1. The quotient therefore equals
+    4 (c_t/c_l)^2 < 3 once before each zero.
     """
     edges = np.concatenate([[1e-6], bessel_zeros(1, count)])
     return roots_between(lambda y: radial(poissons_ratio, y), edges)
@@ -136,9 +144,10 @@ def surface(degree: int, poissons_ratio: float, x: float) -> tuple[np.ndarray, n
     """Return surface displacement and surface traction of the two waves of a spheroidal mode.
 
     Column 0 is the compression wave grad(j_n(h r) Y), column 1 the shear wave
-    curl curl(r j_n(k r) Y). Row 0 is the component along r, row 1 the component along grad Y times
-    sqrt(n(n+1)), so that displacement^T traction is the work on the surface. Each wave is
-    normalized to a displacement of one. Lengths are divided by a, stresses by the shear modulus.
+    curl curl(r j_n(k r) Y), with the spherical Bessel function j_n and the spherical harmonic Y.
+    Row 0 is the component along r, row 1 the component along grad Y times sqrt(n(n+1)). The product
+    displacement^T traction is then the work on the surface. Each wave is normalized to a
+    displacement of one. Lengths are divided by the radius a, stresses by the shear modulus.
 
     Returns:
         displacement, traction, (2, 2) each.
@@ -163,12 +172,12 @@ def surface(degree: int, poissons_ratio: float, x: float) -> tuple[np.ndarray, n
 
 
 def spheroidal(degree: int, poissons_ratio: float, x: float) -> float:
-    """Return the determinant of the surface tractions, zero if x is k a of a spheroidal mode."""
+    """Return the determinant of the surface tractions, which is zero at x = k a of each mode."""
     return float(np.linalg.det(surface(degree, poissons_ratio, x)[1]))
 
 
 def spheroidal_roots(degree: int, poissons_ratio: float, count: int) -> np.ndarray:
-    """Return the wave numbers k a (count,) [-] of the first spheroidal modes of one degree (> 0).
+    """Return the wave numbers k a of the first spheroidal modes of one degree (> 0), (count,) [-].
 
     The two eigenvalues of the dynamic stiffness of the surface (traction/displacement) decrease
     with x from pole to pole. A mode is a zero of one eigenvalue. The number of modes below x is the
@@ -189,10 +198,10 @@ def spheroidal_roots(degree: int, poissons_ratio: float, count: int) -> np.ndarr
         return x, negative, angle, float(np.linalg.det(traction))
 
     def passed(a, b) -> int:
-        """Return the number of modes between a and b.
+        """Return the number of modes between two results a and b of `look`.
 
-        The number follows from angles that decrease by pi between poles and jump up by pi at a
-        pole.
+        The number of poles follows from the angles arctan(eigenvalue). An angle decreases by pi
+        between two poles of its eigenvalue, and jumps up by pi at a pole.
         """
         poles = int(np.ceil((b[2] - a[2]) / pi - 1e-9))
         return poles + b[1] - a[1]

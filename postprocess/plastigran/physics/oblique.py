@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Theory of oblique impacts: rigid bodies that slide, and elastic bodies that stick and slide.
 
-The motion is in one plane. The first body moves along -x and touches the second body or a rigid
-plane. The axis y is along the surface. The surface speed is the relative velocity of the two
-surfaces at the contact along y. The surface speed is positive if the surface of the first body
-moves faster along +y.
+The motion is in one plane. The first body moves along -x and hits the second body or a rigid plane.
+The axis y is along the surface. The surface speed is the relative velocity of the two surfaces at
+the contact, along y. It is positive if the surface of the first body moves faster along +y.
 """
 
 from __future__ import annotations
@@ -44,7 +43,7 @@ class ObliqueImpact:
     """Two homogeneous spheres, or a homogeneous sphere and a rigid plane, before an impact.
 
     Attributes:
-        pair: Constants of the two materials.
+        pair: Combined constants of the two bodies.
         before: Motion before the impact.
         radius_other: Radius of the second body, infinite for a plane [m].
         mass_other: Mass of the second body, infinite for a plane [kg].
@@ -58,7 +57,7 @@ class ObliqueImpact:
     mass: float = number("mass of the first sphere", "kg", 0)
     coefficient_of_friction: float = number("coefficient of friction", "-", 0, lower_allowed=True)
     coefficient_of_restitution: float = number(
-        "restitution for which the dashpot is set", "-", 0, 1, upper_allowed=True
+        "coefficient of restitution for which the dashpot is set", "-", 0, 1, upper_allowed=True
     )
     before: Motion
     radius_other: float = attrs.field(default=inf, validator=attrs.validators.gt(0))
@@ -84,15 +83,16 @@ class ObliqueImpact:
         return motion.along + motion.spin * self.radius - motion.along_other - other
 
     def restitution(self) -> float:
-        """Return the normal restitution for a contact whose dashpot never causes attraction [-]."""
+        """Return the normal restitution of a contact that ends before the dashpot attracts [-]."""
         return float(central.restitution_without_pull(self.coefficient_of_restitution))
 
     def slides(self) -> bool:
         """Return whether the contact slides throughout the impact.
 
-        Friction cannot stop the surfaces of rigid bodies if |v_s| >= 7/2 mu (1 + e) v_n. In an
-        elastic contact, |v_s| must also be at least the rate at which the largest stretch of the
-        tangential spring grows.
+        Let v_s be the surface speed and v_n the closing speed before the impact, mu the coefficient
+        of friction and e the restitution. Friction cannot stop the surfaces of rigid bodies if
+        |v_s| >= 7/2 mu (1 + e) v_n. In an elastic contact, |v_s| must also be at least the rate at
+        which the largest possible stretch of the tangential spring grows.
         """
         least = max(3.5 * (1 + self.restitution()), self.stretch_ratio)
         speed = abs(self.surface_speed(self.before))
@@ -100,13 +100,18 @@ class ObliqueImpact:
 
     @property
     def stretch_ratio(self) -> float:
-        """Largest stretch of the undamped tangential spring / (mu overlap), E*/(6 G*)."""
+        """Largest stretch of the undamped tangential spring / (mu overlap), E*/(6 G*) [-].
+
+        E* and G* are the effective Young's and shear moduli, and mu is the coefficient of friction.
+        """
         return self.pair.youngs_modulus_eff / (6 * self.pair.shear_modulus_eff)
 
     def rigid_sliding(self) -> Motion:
         """Return the motion after an impact of rigid bodies that slide throughout.
 
-        The tangential impulse mu (1 + e) m* v_n opposes the surface speed. For a sphere on a plane,
+        The tangential impulse mu (1 + e) m* v_n opposes the surface speed. mu is the coefficient of
+        friction, e the restitution, m* the effective mass and v_n the closing speed. For a sphere
+        of radius R on a plane, the tangential speed v_t and the spin w become
         v_t' = v_t - mu (1 + e) v_n and R w' = R w - 5/2 mu (1 + e) v_n.
         Sources: Foerster et al. 1994, Phys. Fluids 6:1108; Kharaz et al. 2001, Powder Technol.
         120:281.
@@ -127,27 +132,31 @@ class ObliqueImpact:
     def spring_slider(self) -> Motion:
         """Return the motion after an impact with a tangential spring and a slider.
 
-        The spring has Mindlin's stiffness without slip, k_t = 8 G* a. The contact slides when the
-        tangential force reaches mu F, where F includes the force of the normal dashpot. There is no
-        tangential dashpot. LIGGGHTS has the same model: `tangential history` with
-        `tangential_damping off`. The partial slip of Maw, Barber & Fawcett (1976, Wear 38:101) is
-        not included. The lever arms reach to the middle of the overlap: R - overlap/2.
+        The spring has Mindlin's stiffness without slip, k_t = 8 G* a, with the effective shear
+        modulus G* and the contact radius a. The contact slides when the tangential force reaches
+        mu F, where mu is the coefficient of friction. The normal force F includes the normal
+        dashpot. There is no tangential dashpot. LIGGGHTS has the same model: `tangential history`
+        with `tangential_damping off`. The model does not include the partial slip of Maw, Barber &
+        Fawcett (1976, Wear 38:101). The lever arm of the friction is R - overlap/2 for a sphere of
+        radius R.
 
         Raises:
-            RuntimeError: The impact does not end.
+            RuntimeError: The integration finds no end of the impact.
         """
         return _SpringSlider(self).rebound()
 
 
 class _SpringSlider:
-    """Equations of motion in units of the closing speed, the largest overlap and m*.
+    """Equations of motion of an impact with a tangential spring and a slider.
 
-    The state contains the overlap d, its rate, the relative tangential speed of the centers, R w of
-    the two bodies, and the stretch of the spring. In these units the Hertz force is 5/4 d^(3/2),
-    and the tangential stiffness is 5/4 (6 G*/E*) d^(1/2).
+    The units are the closing speed, the largest overlap and the effective mass m*. The state
+    contains the overlap d, its rate, the relative tangential speed of the centers, the product of
+    radius and spin of each body, and the stretch of the spring. In these units, the Hertz force is
+    5/4 d^(3/2), and the tangential stiffness is 5/4 (6 G*/E*) d^(1/2), with the effective moduli G*
+    and E*.
     """
 
-    START = 2e-8  # initial overlap / largest overlap; the force is 1e-12 of the peak
+    START = 2e-8  # initial overlap / largest overlap; the initial force is 1e-12 of the peak force
 
     def __init__(self, impact: ObliqueImpact) -> None:
         self.impact = impact
@@ -167,7 +176,10 @@ class _SpringSlider:
         return 1.25 * overlap**1.5 + 2.5 * self.damping * overlap**0.25 * rate
 
     def reach(self, overlap: float, rate: float) -> float:
-        """Return the stretch of the spring at which the contact slides, mu F / k_t."""
+        """Return the stretch of the spring at which the contact slides.
+
+        The stretch is the friction limit divided by the tangential stiffness.
+        """
         force = max(0.0, self.normal_force(overlap, rate))
         return self.friction * force / (1.25 * self.stiffness * sqrt(overlap))
 
@@ -239,7 +251,10 @@ class _SpringSlider:
                 self.sense = 0
             else:
                 self.sense = int(np.sign(state[5]))
-        raise RuntimeError("the impact does not end after 100 changes between sticking and sliding")
+        raise RuntimeError(
+            "the integration of the impact found no end, within 100 changes between sticking and "
+            "sliding"
+        )
 
     def _motion(self, state: np.ndarray) -> Motion:
         impact, before, speed = self.impact, self.impact.before, self.impact.before.normal

@@ -27,8 +27,8 @@ class ObliqueOutcome:
             tangential relative speed before the impact [-]; NaN for a central impact.
         spin: Spin of the first body after the impact [rad/s]. The body rolls forward if the spin
             is positive.
-        rebound_angle: Angle of the first body's relative velocity from the normal after the impact
-            [degrees].
+        rebound_angle: Angle between the relative velocity of the first body and the normal after
+            the impact [degrees].
         friction_work: Energy dissipated by friction [J].
         plastic_work: Energy dissipated by plastic deformation [J].
     """
@@ -42,14 +42,15 @@ class ObliqueOutcome:
 
 
 def normalized_angle(pair: laws.MaterialPair, friction: float, angle: np.ndarray) -> np.ndarray:
-    """Return the normalized angle psi = tan(angle) 4 G*/(mu E*) [-].
+    """Return the normalized angle psi = tan(angle) 4 G*/(mu E*) of an oblique impact [-].
 
-    Elastic impacts with different coefficients of friction agree if plotted versus psi.
+    G* and E* are the effective shear and Young's moduli. If results of elastic impacts are plotted
+    versus psi, different coefficients of friction give the same curve.
 
     Args:
-        pair: Constants of the two materials.
+        pair: Combined constants of the two bodies.
         friction: Coefficient of friction mu [-].
-        angle: Angle of the surface velocity from the normal [rad].
+        angle: Angle between the relative velocity of the surfaces and the normal [rad].
 
     Source: Maw, Barber & Fawcett 1976, Wear 38:101.
     """
@@ -67,20 +68,21 @@ def oblique_impacts(
 ) -> ObliqueOutcome:
     """Integrate oblique impacts by velocity Verlet, with 1/12 of the recommended time step.
 
-    Both bodies are homogeneous spheres, or the second is an immovable flat. The effective mass of
-    the relative tangential motion of the surfaces is therefore 2/7 m*.
+    Both bodies are homogeneous spheres, or the second body is an immovable flat. The effective mass
+    for the relative tangential motion of the two surfaces is therefore 2/7 m*, with the effective
+    mass m* of the pair.
 
     Args:
         law: Normal law for spheres; it must not have adhesion.
         tangential: Tangential law.
         radius_eff: Effective radius R* [m].
         mass_eff: Effective mass m* [kg].
-        torque_arm: Radius times mass of the first body [kg m], for its spin.
+        torque_arm: Radius times mass of the first body [kg m], which determines its spin.
         speeds: Relative speeds before the impact (N,) [m/s].
         angles: Angles of the velocities from the normal (N,) [degrees].
 
     Raises:
-        RuntimeError: An impact does not end.
+        RuntimeError: An impact does not end within `MOST_STEPS` time steps.
     """
     closing, sliding = speeds * np.cos(np.radians(angles)), speeds * np.sin(np.radians(angles))
     step = law.recommended_timestep(radius_eff, mass_eff, closing) / FINER
@@ -115,7 +117,7 @@ def oblique_impacts(
         if not moving.any():
             break
     else:
-        raise RuntimeError(f"an impact does not end within {MOST_STEPS} steps")
+        raise RuntimeError(f"an oblique impact does not end within {MOST_STEPS} time steps")
     along = sliding - impulse / mass_eff
     with np.errstate(divide="ignore", invalid="ignore"):
         tangential_restitution = np.where(sliding != 0, along / sliding, np.nan)

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Oblique elastic impacts with partial slip (Maw, Barber & Fawcett 1976, Wear 38:101).
 
-The contact sticks in its middle and slips at its edge. Cattaneo's and Mindlin's tangential contact
-is a superposition of normal contacts. While the overlap grows from d to d + dd, the contact grows
-by a ring. The ring carries the tangential force D F'(d) dd and shifts the surfaces by
-D (E*/4G*) dd, with -mu <= D <= mu. Each ring keeps its friction ratio D until it slips.
+The contact sticks in its middle and slips at its edge. The tangential contact of Cattaneo and
+Mindlin is a superposition of normal contacts. While the overlap grows from d to d + dd, the contact
+area grows by a ring. The ring carries the tangential force D F'(d) dd, where F(d) is the normal
+force. It shifts the surfaces by D (E*/4G*) dd, with the effective moduli E* and G*. Each ring keeps
+its friction ratio D, with -mu <= D <= mu, until the ring slips; mu is the coefficient of friction.
 
 Sources: Jaeger 1993, Arch. Appl. Mech. 63:402; Aleshin, Bou Matar & Van Den Abeele 2015, Int. J.
 Solids Struct. 60 (method of memory diagrams).
@@ -17,19 +18,20 @@ import attrs
 from plastigran.physics import central
 from plastigran.physics.oblique import Motion, ObliqueImpact
 
-#: Default number of time steps of an impact. The tangential restitution then has an error of 2e-5.
+#: Default number of time steps per impact. The tangential restitution then has an error of 2e-5.
 STEPS = 500
 
 
 @attrs.define
 class Rings:
-    """Rings of a contact, from its middle outward.
+    """Rings into which the contact area is divided, from the middle outward.
 
     Attributes:
-        friction: Coefficient of friction mu, the largest ratio D [-].
+        friction: Coefficient of friction mu, the largest friction ratio D of a ring [-].
         compliance: Tangential compliance / normal compliance, E*/(4 G*) [-].
-        overlap: Overlap at the outer edge of the last ring.
-        rings: For each ring, the overlaps at its inner and outer edge, and its ratio D.
+        overlap: Present overlap, in any unit of length.
+        rings: For each ring, two overlaps and the friction ratio D. At these overlaps, the edge of
+            the contact was at the inner edge and at the outer edge of the ring.
     """
 
     friction: float
@@ -38,14 +40,14 @@ class Rings:
     rings: list[tuple[float, float, float]] = attrs.Factory(list)
 
     def force(self) -> float:
-        """Return the tangential force / sliding force of a contact of overlap 1 with mu = 1."""
+        """Return the tangential force, divided by the normal force at the overlap 1 [-]."""
         return sum(share * (end**1.5 - begin**1.5) for begin, end, share in self.rings)
 
     def move(self, overlap: float, shift: float) -> None:
-        """Move the bodies to another overlap, and by `shift` along the surface.
+        """Move the bodies to a new overlap, and by the distance `shift` along the surface.
 
-        Shift and overlap have the same unit. If the shift is larger than the rings can stretch,
-        the bodies slide by the rest.
+        Shift and overlap have the same unit. The rings deform elastically by a part of the shift.
+        If the friction limit is reached in all rings, the bodies slide by the rest.
         """
         wanted = shift
         if overlap > self.overlap:
@@ -60,7 +62,7 @@ class Rings:
             self._slip(wanted)
 
     def _cut(self, overlap: float) -> float:
-        """Remove the rings outside the contact that has this overlap, and return their shift."""
+        """Remove the rings outside a contact with this smaller overlap, and return their shift."""
         held = 0.0
         while self.rings and self.rings[-1][1] > overlap:
             begin, end, share = self.rings.pop()
@@ -71,7 +73,7 @@ class Rings:
         return held
 
     def _slip(self, wanted: float) -> None:
-        """Let rings slip, from the edge inward, until they have moved the bodies by `wanted`."""
+        """Let rings slip, from the edge inward, until the bodies have moved by `wanted`."""
         full = self.friction if wanted > 0 else -self.friction
         front = self.overlap
         while self.rings and wanted * full > 0:
@@ -90,19 +92,23 @@ def partial_slip(impact: ObliqueImpact, steps: int = STEPS) -> Motion:
     """Return the motion after an oblique impact of elastic bodies with partial slip.
 
     The normal motion, including the dashpot, is as in `ObliqueImpact.spring_slider`. The friction
-    limit is mu times the elastic pressure, without the dashpot. Omission of the dashpot changes the
-    impulse of friction only in second order of the damping. The lever arm of friction is the
-    radius.
+    limit is the coefficient of friction times the elastic pressure, without the dashpot. This
+    omission changes the friction impulse only in second order of the damping. The lever arm of the
+    friction is the radius of the sphere.
 
     Args:
         impact: Impact of one sphere on a plane.
-        steps: Approximate number of time steps of the impact.
+        steps: Approximate number of time steps during the impact.
 
     Raises:
         ValueError: Both bodies move, or the coefficient of friction is zero.
     """
     if impact.mass_eff != impact.mass or impact.coefficient_of_friction == 0:
-        raise ValueError("partial slip needs a sphere on a plane, with friction")
+        raise ValueError(
+            f"partial slip needs a sphere on a plane with friction, but mass_other is "
+            f"{impact.mass_other:g} and coefficient_of_friction is "
+            f"{impact.coefficient_of_friction:g}. Use mass_other inf and a positive coefficient"
+        )
     pair, speed = impact.pair, impact.before.normal
     compliance = pair.youngs_modulus_eff / (4 * pair.shear_modulus_eff)
     rings = Rings(impact.coefficient_of_friction, compliance)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Leeb's rebound hardness: a body with a ball of tungsten carbide hits a flat sample.
+"""Leeb's rebound hardness: an impact body with a ball of tungsten carbide hits a flat sample.
 
-The tester displays HL = 1000 times rebound speed / impact speed (ISO 16859). A contact law predicts
-HL from the yield strength of the sample. The ball is much harder than a metal sample and is treated
-as elastic. The sample is treated as thick and heavy.
+The tester displays the hardness HL, which is 1000 times rebound speed / impact speed (ISO 16859). A
+contact law predicts HL from the yield strength of the sample. The ball is much harder than a metal
+sample, so the model treats it as elastic. The model treats the sample as a half space.
 """
 
 from __future__ import annotations
@@ -24,13 +24,14 @@ TUNGSTEN_CARBIDE = laws.Body(625e9, 0.22)
 
 @attrs.frozen
 class ReboundTester:
-    """Impact body of a rebound tester and its speed.
+    """Impact body of a rebound hardness tester, and its speed.
 
     Attributes:
+        name: Letter of the impact device, such as "D".
         ball: Material of the ball, which does not yield.
-        sensor_height: Height at which the speeds are measured [m]; 0 to neglect gravity. In real
-            testers, the height is 1 mm, which lowers the reading of device D by 0.1 % at HL 800 and
-            by 2.5 % at HL 300.
+        sensor_height: Height above the sample at which the tester measures the speeds [m]; 0 to
+            neglect gravity. In real testers, the height is 1 mm. Gravity then lowers the displayed
+            hardness of device D by 0.1 % at HL 800 and by 2.5 % at HL 300.
 
     Raises:
         ValueError: A number is out of range.
@@ -38,7 +39,7 @@ class ReboundTester:
 
     name: str
     ball_radius: float = radius_field("radius of the ball")
-    mass: float = number("mass of the body with its ball", "kg", 0)
+    mass: float = number("mass of the impact body with its ball", "kg", 0)
     speed: float = number("impact speed at the sensor", "m/s", 0)
     ball: laws.Body = TUNGSTEN_CARBIDE
     sensor_height: float = number(
@@ -46,11 +47,11 @@ class ReboundTester:
     )
 
     def pair(self, sample: laws.Body) -> laws.MaterialPair:
-        """Return the material pair of the ball and a sample."""
+        """Return the combined constants of the ball and a sample."""
         return laws.combine(sample, self.ball)
 
     def impact(self, law: str, sample: laws.Body, **constants: float | str) -> laws.ImpactOutcome:
-        """Return the impact on a flat sample.
+        """Compute the impact on a flat sample.
 
         Args:
             law: Name of the law.
@@ -64,7 +65,7 @@ class ReboundTester:
         return instance.central_impact(self.ball_radius, self.mass, self._speed_of_contact())
 
     def reading(self, law: str, sample: laws.Body, **constants: float | str) -> float:
-        """Return the rebound hardness HL of a sample [-].
+        """Return the rebound hardness HL that the tester displays for a sample [-].
 
         Arguments and errors are as for `impact`.
         """
@@ -73,7 +74,7 @@ class ReboundTester:
         return 1000 * sqrt(max(back, 0)) / self.speed
 
     def restitution(self, reading: float) -> float:
-        """Return the coefficient of restitution [-] for a reading HL."""
+        """Return the coefficient of restitution [-] for a displayed hardness HL."""
         back = (reading / 1000 * self.speed) ** 2 + self._speed_lost() ** 2
         return sqrt(back) / self._speed_of_contact()
 
@@ -86,7 +87,10 @@ class ReboundTester:
 
 
 def dented_flat(law: str) -> dict[str, str]:
-    """Return the option that makes the flat yield instead of the sphere; {} if a law lacks it."""
+    """Return the option with which a law describes a yielding flat instead of a yielding sphere.
+
+    The result is {} if the law has no such option.
+    """
     words = {option["name"]: option["choices"] for option in laws.LAWS[law].options()}
     return {name: "flat" for name in ("yielding",) if "flat" in words.get(name, ())}
 

@@ -25,7 +25,8 @@ class Rod:
     The center of the tip and the far end are half a length away from the center of the rod.
 
     Raises:
-        ValueError: A field is out of range, or friction would jam the rod.
+        ValueError: A field is out of range, or friction would jam the rod, so that its tip could
+            not rebound.
     """
 
     angle: float = number(
@@ -49,13 +50,13 @@ class Rod:
             )
         if not self._compliance() > 0:
             raise ValueError(
-                f"coefficient_of_friction is {self.coefficient_of_friction:g}; "
-                f"at {self.angle:g} degrees it would jam the rod"
+                f"coefficient_of_friction is {self.coefficient_of_friction:g}; at {self.angle:g} "
+                "degrees, this friction would jam the rod. Use a lower coefficient or another angle"
             )
 
     @property
     def inertia(self) -> float:
-        """Moment of inertia about the center [kg m^2], m L^2/12. The paper does not give it."""
+        """Moment of inertia about the center [kg m^2], m L^2/12. The paper gives no value."""
         return self.mass * self.length**2 / 12
 
     @property
@@ -69,7 +70,7 @@ class Rod:
 
     @property
     def arm(self) -> tuple[float, float]:
-        """Vector (x_c, y_c) from the contact point to the center at first touch [m]."""
+        """Vector (x_c, y_c) from the contact point to the center of the rod at first touch [m]."""
         half, angle = self.length / 2, radians(self.angle)
         return half * cos(angle), self.tip_radius + half * sin(angle)
 
@@ -81,16 +82,18 @@ class Rod:
     def mass_eff(self) -> float:
         """Effective mass of the normal motion if the tip slides throughout [kg].
 
-        1/m_eff = 1/m + x_c (x_c - mu y_c)/I, for the position of the rod at first touch.
+        1/m_eff = 1/m + x_c (x_c - mu y_c)/I, with the mass m and the moment of inertia I of the
+        rod, the coefficient of friction mu, and the vector (x_c, y_c) of `arm` at first touch.
         """
         return 1 / self._compliance()
 
     def angular_velocity(self, impulse: float) -> float:
-        """Return the angular velocity after a normal impulse [N s], in rad/s.
+        """Return the angular velocity [rad/s] after a normal impulse [N s].
 
-        The result is -(x_c - mu y_c)/I times the impulse. It holds if the tip slides throughout the
-        impact. The impulse is m_eff v (1 + e), or the rod's mass times the change of the velocity
-        of its center along y.
+        The result is -(x_c - mu y_c)/I times the impulse, with the symbols of `mass_eff`. It holds
+        if the tip slides throughout the impact. The impulse is m_eff v (1 + e), with the impact
+        speed v and the restitution e. It is also the mass of the rod times the change of its normal
+        velocity.
         """
         x_c, y_c = self.arm
         return -(x_c - self.coefficient_of_friction * y_c) / self.inertia * impulse
@@ -108,10 +111,10 @@ class RodOutcome:
         overlap_res: Overlap at zero force [m], the permanent deformation.
         loading_time: Time from first touch to largest overlap [s].
         contact_time: Time from first touch to zero force [s].
-        history: One row per time. Columns are time [s], overlap [m], force (normal) [N],
+        history: Motion versus time. Columns are time [s], overlap [m], force (normal) [N],
             friction_force (along x) [N], displacement_x, displacement_y (of the center since first
             touch) [m], velocity_x, velocity_y (of the center) [m/s], angular_velocity [rad/s] and
-            slip_velocity (of the tip along x) [m/s].
+            slip_velocity (of the lowest point of the tip along x) [m/s].
     """
 
     coefficient_of_restitution: float

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Equations of motion for the impact of a rod, for rate-independent laws for spheres."""
+"""Equations of motion for the impact of a rod whose tip follows a rate-independent contact law."""
 
 from __future__ import annotations
 
@@ -10,27 +10,27 @@ import pandas as pd
 
 from plastigran.physics.rod import Rod, RodOutcome
 
-#: Fraction of the impact speed below which the slip of the tip counts as zero.
+#: If the slip velocity of the tip is below this fraction of the impact speed, the tip sticks.
 STICKING_SLIP = 1e-3
 
-#: Rate at which a friction spring relaxes to the friction limit, in units of impact speed / largest
-#: overlap.
+#: Rate at which a friction spring beyond the friction limit relaxes to this limit, as a multiple of
+#: impact speed / largest overlap.
 YIELDING_RATE = 1e3
 
-#: Number of extremes of the overlap after which the tip is assumed to stay in contact.
+#: Number of maxima and minima of the overlap after which the tip is assumed to stay in contact.
 TURNS = 6
 
-#: Number of rows of a history during loading, and during unloading.
+#: Number of rows of `RodOutcome.history` during loading, and during unloading.
 HISTORY_ROWS = 300
 
 
 class RodMotion:
-    """Right-hand side of the equations of motion.
+    """Right-hand side of the equations of motion of the rod.
 
-    The variables are (x, y, turn, velocity_x, velocity_y, angular velocity, spring): displacement
-    of the center and rotation since first touch, their rates, and the stretch of the friction
-    spring. `state` is the contact history at the largest overlap so far. Trial steps of the solver
-    use copies of this history.
+    The variables are (x, y, turn, velocity_x, velocity_y, angular velocity, spring). These are the
+    displacement of the center and the rotation since first touch, their rates, and the stretch of
+    the friction spring. `state` is the contact history at the largest overlap so far. Trial steps
+    of the solver use copies of this history.
 
     Raises:
         ValueError: The law depends on the overlap rate, which these equations do not include; or
@@ -40,8 +40,8 @@ class RodMotion:
     def __init__(self, rod: Rod, law, speed: float, shear_modulus_eff: float | None) -> None:
         if law.rate_dependent:
             raise ValueError(
-                f"{law.name} depends on the overlap rate, which the equations of motion of the rod "
-                "do not include"
+                f"law {law.name} depends on the overlap rate, which the equations of motion of the "
+                "rod do not include. Use another law"
             )
         self.rod, self.spring = rod, shear_modulus_eff is not None
         self.law = law.at_impact(rod.tip_radius, speed)
@@ -55,7 +55,7 @@ class RodMotion:
         self.overlap_res = -inf
 
     def arm(self, motion) -> tuple[float, float]:
-        """Return the vector from the center to the lowest point of the tip."""
+        """Return the vector from the center of the rod to the lowest point of the tip [m]."""
         angle = self.lean + motion[2]
         return -self.half * np.cos(angle), -self.rod.tip_radius - self.half * np.sin(angle)
 
@@ -76,9 +76,9 @@ class RodMotion:
         return self.overlap(motion) - self.overlap_res
 
     def contact(self, motion, state=None):
-        """Return the response of the law.
+        """Return the response of the law at the present overlap.
 
-        The law updates the history `state`; by default, this is a copy of `self.state`.
+        The law updates the contact history `state`. By default, `state` is a copy of `self.state`.
         """
         state = self.state.copy() if state is None else state
         return self.law.respond(self.rod.tip_radius, self.overlap(motion), state)
@@ -94,14 +94,15 @@ class RodMotion:
             excess = (pull - friction) / stiffness if stiffness > 0 else 0.0
             return contact.force, friction, slip + self.yielding * excess
         arm_x, arm_y = self.arm(motion)
-        # `holding` is the friction that keeps the slip velocity v_T constant:
-        # dv_T/dt = F_f (1/m + r_y^2/I) - F_n r_x r_y/I = 0.
+        # `holding` is the friction F_f that keeps the slip velocity v_T constant:
+        # dv_T/dt = F_f (1/m + r_y^2/I) - F_n r_x r_y/I = 0, with the normal force F_n, the vector
+        # (r_x, r_y) of `arm`, and the mass m and the moment of inertia I of the rod.
         holding = arm_x * arm_y * contact.force / (self.rod.inertia / self.rod.mass + arm_y**2)
         friction = holding - slip / self.sticking * limit
         return contact.force, min(max(friction, -limit), limit), 0.0
 
     def rate(self, _time, motion) -> list[float]:
-        """Return the rates of the variables."""
+        """Return the time derivatives of the variables."""
         force, friction, stretching = self.forces(motion)
         arm_x, arm_y = self.arm(motion)
         return [
@@ -113,7 +114,7 @@ class RodMotion:
         ]
 
     def turn_back(self, motion) -> None:
-        """Update the contact history at a local maximum of the overlap."""
+        """Update the contact history and the residual overlap at a local maximum of the overlap."""
         self.contact(motion, self.state)
         low, high = 0.0, self.overlap(motion)
         while high - low > 1e-14 * self.overlap(motion):
@@ -123,7 +124,7 @@ class RodMotion:
         self.overlap_res = high if low > 0 else 0.0
 
     def history_row(self, time, motion) -> dict[str, float]:
-        """Return time, overlap and forces as a row of the history."""
+        """Return time, overlap, forces and motion as a row of `RodOutcome.history`."""
         force, friction, _ = self.forces(motion)
         return {
             "time": time,
@@ -140,27 +141,29 @@ class RodMotion:
 
 
 def simulate(rod: Rod, law, speed: float, shear_modulus_eff: float | None = None) -> RodOutcome:
-    """Integrate a rod's impact from first touch until the tip separates.
+    """Integrate the impact of a rod from first touch until the tip separates.
 
-    The equations are those of Ghaednia, Cermik & Marghitu 2015, eqs 1-7, but the normal force F_n
-    is along y and the friction F_f along x. With the vector r = (-x_c, -y_c) from the center to the
-    contact, they are m x'' = F_f, m y'' = F_n - m g, I turn'' = r_x F_n - r_y F_f.
+    The equations are eqs 1-7 of Ghaednia, Cermik & Marghitu 2015, but with the normal force F_n
+    along y and the friction F_f along x. They are m x'' = F_f, m y'' = F_n - m g,
+    I turn'' = r_x F_n - r_y F_f. m and I are the mass and the moment of inertia of the rod. r is
+    the vector from the center of the rod to the contact.
 
-    Without a spring, friction is Coulomb's, as in the paper. The friction on a sliding tip is mu
-    F_n against the slip. A tip without slip stays at rest if friction can hold it. Slip below
-    `STICKING_SLIP` times the impact speed counts as rest.
+    Without a spring, friction is Coulomb's, as in the paper. On a sliding tip, the friction mu F_n
+    opposes the slip. A tip without slip sticks if friction can hold it. Slip velocities below
+    `STICKING_SLIP` times the impact speed count as zero.
 
-    With a spring, friction is LIGGGHTS' `tangential history`. The spring has the stiffness 8 G* a,
-    with the contact radius a of the law, and holds the tip up to the force mu F_n.
+    With a spring, friction is as in `tangential history` of LIGGGHTS. The spring has the stiffness
+    8 G* a, with the contact radius a of the law, and holds the tip up to the force mu F_n.
 
     Args:
-        rod: Rod.
+        rod: Rod, its angle and its friction.
         law: Law between rod and flat, an instance of a class of `plastigran.laws.LAWS`.
-        speed: Downward speed, without rotation [m/s].
-        shear_modulus_eff: G* of the tangential spring [Pa]; None for no spring.
+        speed: Downward speed of the rod before the impact [m/s]. The rod does not rotate before.
+        shear_modulus_eff: Effective shear modulus G* for the tangential spring [Pa]; None for no
+            spring.
 
     Raises:
-        ValueError: As for `RodMotion`, or the weight of the rod keeps the tip down.
+        ValueError: As for `RodMotion`, or the weight of the rod keeps the tip in contact.
     """
     from scipy.integrate import solve_ivp  # imported here: scipy.integrate is slow
 
@@ -198,7 +201,10 @@ def simulate(rod: Rod, law, speed: float, shear_modulus_eff: float | None = None
             body.turn_back(motion)
             force_max = body.contact(motion).force
     else:
-        raise ValueError(f"at {speed:g} m/s the weight of the rod keeps its tip in contact")
+        raise ValueError(
+            f"speed is {speed:g} m/s; at this speed, the weight of the rod keeps its tip in "
+            "contact. Use a higher speed"
+        )
     return RodOutcome(
         coefficient_of_restitution=-body.closing_velocity(time, motion) / speed,
         angular_velocity=motion[5],

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Impact of a rod with a tangential law, whose force depends on the path of the tip."""
+"""Impact of a rod with a tangential law, in which friction depends on the path of the tip."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ MOST_STEPS = 20_000
 
 
 class _RodInSteps(RodMotion):
-    """Motion by velocity Verlet. `current` has the forces at the end of the last step."""
+    """Motion of a rod by velocity Verlet; `current` are the forces at the end of the last step."""
 
     def __init__(
         self, rod: Rod, law, speed: float, tangential: laws.PartialSlip | laws.Incremental
@@ -34,12 +34,15 @@ class _RodInSteps(RodMotion):
         return self.current
 
     def tip(self, motion) -> float:
-        """Return the position of the tip's surface along the flat, plus a constant [m]."""
+        """Return the position of the surface of the tip along the flat [m].
+
+        The zero of the position is arbitrary, because only differences are used.
+        """
         angle = self.lean + motion[2]
         return motion[0] - self.half * np.cos(angle) + self.rod.tip_radius * motion[2]
 
     def advance(self, motion) -> np.ndarray:
-        """Return the motion after a step, and advance the contact histories."""
+        """Return the motion after a time step, and update the contact histories."""
         after = motion.copy()
         after[3:6] += 0.5 * self.step * np.array(self.rate(0, motion)[3:6])
         after[:3] += self.step * after[3:6]
@@ -58,14 +61,14 @@ class _RodInSteps(RodMotion):
 def simulate_in_steps(
     rod: Rod, law, speed: float, tangential: laws.PartialSlip | laws.Incremental
 ) -> RodOutcome:
-    """Integrate a rod's impact by velocity Verlet, with 1/12 of the recommended time step.
+    """Integrate the impact of a rod by velocity Verlet, with 1/12 of the recommended time step.
 
     The equations of motion are those of `simulate`. The tangential law computes the friction.
 
     Args:
-        rod: Rod.
+        rod: Rod, its angle and its friction.
         law: Law between rod and flat, an instance of a class of `plastigran.laws.LAWS`.
-        speed: Downward speed, without rotation [m/s].
+        speed: Downward speed of the rod before the impact [m/s]. The rod does not rotate before.
         tangential: Tangential law with the coefficient of friction of the rod.
 
     Raises:
@@ -80,7 +83,10 @@ def simulate_in_steps(
         if rows[-1]["force"] <= 0:
             break
     else:
-        raise ValueError(f"at {speed:g} m/s the weight of the rod keeps its tip in contact")
+        raise ValueError(
+            f"speed is {speed:g} m/s; at this speed, the weight of the rod keeps its tip in "
+            "contact. Use a higher speed"
+        )
     history, last = pd.DataFrame(rows), motions[-1]
     deepest = int(history["overlap"].idxmax())
     body.turn_back(motions[deepest])
