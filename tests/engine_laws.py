@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Laws with a model in LIGGGHTS."""
+"""Names of the laws that are contact models in LIGGGHTS."""
 
 from __future__ import annotations
 

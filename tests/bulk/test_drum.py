@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The rotating drum in LIGGGHTS: angle of repose, lever arm, moving shell."""
+"""The rotating drum in LIGGGHTS: angle of repose, torque of the weight, moving shell."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def test_missing_dissipation_is_noticed(turned):
 
 
 def test_fewer_rows_widen_the_limit_of_the_lever_arm(turned):
-    """The check of the lever arm allows for the error of the trapezoidal rule.
+    """The check of the torque of the weight allows for the error of the trapezoidal rule.
 
     With every 32nd row, this error is 3e-3 of the work, which exceeds the usual limit LEVER_ARM.
     """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Committed meshes equal the output of their scripts."""
+"""The mesh files of the decks equal the output of the scripts that create them."""
 
 from __future__ import annotations
 

@@ -43,7 +43,7 @@ def test_json_has_the_numbers_of_the_function(capsys):
 
 
 def test_printed_lines_can_be_used_in_a_deck(capsys, tmp_path):
-    """The material file can be read, and the lines have the properties of the law."""
+    """`calibrate` prints a material file that can be read, and deck lines with all properties."""
     file = tmp_path / "spring.in"
     assert main([*STEEL, "--hardness", "45HRC", "--output", str(file)]) == 0
     printed = capsys.readouterr().out

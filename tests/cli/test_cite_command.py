@@ -71,7 +71,7 @@ def test_command(capsys):
     assert main(["cite", "kogut_etsion", "stronge"]) == 0
     said = capsys.readouterr().out
     assert said.startswith("@software{plastigran,")
-    # The two laws have five sources. One of them is Zhang & Vu-Quoc (2002), for `stronge`.
+    # `kogut_etsion` and `stronge` have five sources. Zhang & Vu-Quoc (2002) is one for `stronge`.
     assert said.count("@article") + said.count("@book") == 5
     assert main(["cite", "universal"]) == 0
     assert capsys.readouterr().out.startswith("% universal is a law of this software; cite the")

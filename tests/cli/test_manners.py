@@ -76,7 +76,10 @@ def test_json_has_null_for_unknown_and_infinite_numbers(capsys):
 
 
 def test_similar_warnings_are_reported_once_with_the_worst_value(tmp_path):
-    """Warnings that differ only in numbers are similar. Warnings of fixes are included."""
+    """Of warnings that differ only in their numbers, only the one with the worst value is reported.
+
+    Warnings of fixes are included.
+    """
     said = [
         "plastigran: model thornton: an overlap of 1.5e-6 m, step 10 (../pair.cpp:12)",
         "plastigran: energy_ledger: an atom was lost (../fix.cpp:1)",

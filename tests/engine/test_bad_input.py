@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Bad input stops the run before the first step, with property, value and allowed range."""
+"""Bad input stops a run before the first step; the message has property, value and range."""
 
 from __future__ import annotations
 

@@ -114,8 +114,9 @@ def test_liggghts_of_another_version_is_refused(tmp_path):
 
 
 def test_single_processes_start_at_the_same_time(tmp_path):
-    """Each LIGGGHTS process runs without mpirun, and must not use the MPI session files of another
-    process.
+    """Several LIGGGHTS processes without mpirun can start at the same time.
+
+    A process must not use the MPI session files of another process.
     """
     (tmp_path / "empty.in").write_text("")
     line = [PROJECT / "build" / "liggghts-plastigran", "-in", "empty.in", "-log", "none"]

@@ -20,7 +20,7 @@ def write(log: Path, text: str) -> None:
 
 
 def line(bar: RunBar, seconds: float) -> str:
-    """Return the text of the bar after some time."""
+    """Return the text of the progress bar after some seconds."""
     bar.update()
     bar._bar._time = lambda: bar._bar.start_t + seconds
     return bar._bar._line()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Contacts that leave the range of their law are counted and reported once per run, at its end."""
+"""Contacts beyond the validity range of their law are counted and reported at the end of a run."""
 
 from __future__ import annotations
 

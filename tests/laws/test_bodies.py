@@ -16,7 +16,7 @@ def test_pair_is_the_same_in_either_order():
     assert one.yield_pressure == 1e8 * laws.hertz_yield_pressure_factor(0.33)
     assert one.poissons_ratio == 0.33
     assert one.youngs_modulus == 7e10
-    # The pair also gets these constants from the weaker body.
+    # The tangent modulus and the rate constants of a pair are those of the weaker body.
     rated = laws.Body(7e10, 0.33, 1e8, tangent_modulus=1e9, rate_coefficient=0.02, reference_rate=3)
     pair = laws.combine(hard, rated)
     assert pair == laws.combine(rated, hard)

@@ -313,7 +313,8 @@ TEST_CASE_TEMPLATE("an exchange of the two bodies reverses the force", Law, Incr
     const auto other = law.respond(load, {opposite(shift), opposite(normal), -spin, 0}, exchanged);
     CHECK(length(one.force + other.force) < 1e-12);
     CHECK(other.stored_energy == doctest::Approx(one.stored_energy).epsilon(1e-12));
-    // The next step continues from the state of the other contact, as a host stores it.
+    // In the next step, the exchanged contact starts from the state of the first one, with the
+    // signs that a host reverses for exchanged bodies.
     double values[sizeof state / sizeof(double)];
     std::memcpy(values, &state, sizeof state);
     for (std::size_t k = 0; k < Law::state_size(4); ++k)

@@ -157,7 +157,8 @@ TEST_CASE("Vu-Quoc-Zhang's Newton iteration converges for every admissible const
     const VuQuocZhang::Parameters constants = random_admissible(random, -4, 5);
     const VuQuocZhang law(aluminium, constants);
     const double ca = constants.contact_radius_coefficient, kc = constants.curvature_coefficient;
-    // Choose the root, then search for it from a random start between yield and the root.
+    // Choose a root of the equation. Then let the iteration find it from a random start between the
+    // root at yield, 1, and this root.
     const double root = 1 + std::pow(10, -6 + 9 * unit(random));
     const double u = root * root * root - 1, radius = root + ca * u;
     const double x = radius * radius / (1 + kc * u);

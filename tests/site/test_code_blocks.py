@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The Python blocks of every page run in order, in a folder with the results that pages mention.
 
-Bulk runs have the brief settings of their decks.
+Bulk runs have the settings of the short runs that their decks declare.
 """
 
 from __future__ import annotations

@@ -29,5 +29,5 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
 
 @pytest.fixture
 def whole(case, brief_run) -> BulkRun:
-    """The short run on one rank, with two frames."""
+    """The short run of the deck of `case` on one MPI rank, with two frames."""
     return brief_run(case.name, case.label)
