@@ -165,7 +165,7 @@ def test_numbers_are_printed_with_their_units(line, printed, capsys, coarse):
     [
         (["--speed", "1", "--sliding-speed", "-1"], "sliding_speed is -1"),
         (["--speed", "1", "--coefficient-of-friction", "3"], "coefficient_of_friction is 3"),
-        (["--speed", "30"], "of the radius"),
+        (["--speed", "30"], "times the radius"),
     ],
 )
 def test_a_cylinder_that_cannot_strike_is_refused(given, said, capsys):

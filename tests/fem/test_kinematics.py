@@ -43,7 +43,7 @@ def changed(gradients, component, sign):
 
 
 def differences(function, gradients):
-    """Return central differences of m quantities by the displacement gradient (n, m, 5)."""
+    """Differentiate m quantities with respect to the displacement gradient (n, m, 5)."""
     return np.stack(
         [
             (function(changed(gradients, c, 1)) - function(changed(gradients, c, -1))) / (2 * STEP)
@@ -140,7 +140,7 @@ def test_material_turned_inside_out_is_refused(gradient):
 
 
 def pressed(strain, metal, force):
-    """Compress a coarse sphere to a force [N] and unload it; return the row of the unloading."""
+    """Press a coarsely meshed sphere with a force [N], unload it, and return the unloading."""
     settings = attrs.evolve(COARSE, strain=strain)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", SmallStrainWarning)

@@ -92,7 +92,7 @@ def test_plastic_work_is_flow_stress_times_strain(strains):
 @pytest.mark.parametrize(
     ("strains", "stresses", "named"),
     [
-        ((0, 1e-3), (1e8, 2e8, 3e8), "as many stresses"),
+        ((0, 1e-3), (1e8, 2e8, 3e8), "2 strains from 0 and 3 stresses"),
         ((0, 1e-3), (1e8,), "two or more"),
         ((0.1, 0.2), (1e8, 2e8), "start at strain 0"),
         ((0, 0), (1e8, 2e8), "strains"),

@@ -120,7 +120,7 @@ def test_pressing_that_gives_up_keeps_what_it_has(monkeypatch):
 
     monkeypatch.setattr(Equations, "press", fail_beyond)
     pressing = press(ELASTIC, RADIUS, [200.0], COARSE)
-    assert "too much between" in pressing.stopped
+    assert "too much; the increment from" in pressing.stopped
     assert "after 6 halvings" in pressing.stopped
     assert 50 < pressing.history["force"].max() <= 100
     assert pressing.unloadings.empty

@@ -184,7 +184,7 @@ def test_tangent_of_the_contact_is_its_derivative():
         ({"speed": 1e4}, "speed of sound"),
         ({"sliding_speed": -1.0}, "sliding_speed is -1"),
         ({"coefficient_of_friction": 2.0}, "coefficient_of_friction is 2"),
-        ({"speed": 20.0}, "of the radius"),
+        ({"speed": 20.0}, "times the radius"),
         ({"thickness": 2e-6}, "thickness"),
         ({"mass": 0.0}, "mass is 0"),
     ],

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tests of the vibrations of an elastic sphere after an impact, with exact modes and Hertz."""
+"""Tests of the vibrations of an elastic sphere after an impact.
+
+The references are exact frequencies of vibration modes and Hertz theory.
+"""
 
 from __future__ import annotations
 

@@ -65,7 +65,7 @@ def page_file(shared, sweep_folder, hopper) -> Path:
 
 @pytest.fixture(scope="session")
 def browser() -> Iterator[Browser]:
-    """Chromium without a screen, with WebGL in software."""
+    """Headless Chromium that computes WebGL in software."""
     drawing = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
     expect.set_options(timeout=TIMEOUT)
     with sync_playwright() as driver:

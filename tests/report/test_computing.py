@@ -50,7 +50,7 @@ def test_results_are_in_order_and_cached(tmp_path):
 
 
 def test_computation_that_stops_early_is_named():
-    with pytest.raises(ValueError, match="finite elements, the sphere: no step from here"):
+    with pytest.raises(ValueError, match="computation of the sphere: no step from here"):
         compute_all({"the sphere": stop_early})
 
 

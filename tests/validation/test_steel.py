@@ -26,8 +26,8 @@ def test_the_nearest_law_has_the_slope_of_the_table_and_its_level_with_the_rate(
     """The law with the smallest error agrees with the Leeb table within its uncertainty.
 
     The uncertainty of the table is 5 % in restitution. Tables of other manufacturers differ by 4 %
-    in HV, which changes the slope of restitution versus hardness by 1.7 %. The slope agrees without
-    and the level with the strain-rate dependence of steel.
+    in HV, which changes the slope of restitution versus hardness by 1.7 %. Without strain-rate
+    dependence of the steel, the law has the measured slope; with it, also the measured level.
     """
     nearest = steel.summary(rebounds).iloc[0]
     assert nearest["law"] == NEAREST

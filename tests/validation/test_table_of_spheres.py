@@ -60,7 +60,11 @@ def test_rows_are_consistent():
 
 
 def test_work_of_unloading():
-    """The unloading curve is a power 3/2 for g = 0 and approaches a straight line for large g."""
+    """The work of unloading is correct for two limits of the constant g of the unloading curve.
+
+    For g = 0, the curve is a power law with the exponent 3/2. For large g, it approaches a straight
+    line.
+    """
     assert unloading_work(np.array([0.0, 1e12])) == pytest.approx([0.4, 0.5], rel=1e-9)
 
 

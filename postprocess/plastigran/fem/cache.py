@@ -33,7 +33,7 @@ class CacheWarning(UserWarning):
 
 
 def folder() -> Path:
-    """Return the folder of the stored results."""
+    """Return the folder in which finite-element results are stored."""
     return Path(os.environ.get("PLASTIGRAN_CACHE") or Path.home() / ".cache" / "plastigran")
 
 

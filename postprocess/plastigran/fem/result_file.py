@@ -93,7 +93,10 @@ def _to_tree(value: Any, arrays: dict[str, np.ndarray]) -> Any:
             field.alias: _to_tree(getattr(value, field.name), arrays) for field in attrs.fields(cls)
         }
         return {"class": [cls.__module__, cls.__qualname__], "fields": fields}
-    raise TypeError(f"a result with a {cls.__name__} cannot be stored")
+    raise TypeError(
+        f"a result with a {cls.__name__} cannot be stored. Use numbers, texts, arrays, tables, or "
+        "attrs classes of this package"
+    )
 
 
 def _column(values: pd.Series | pd.Index) -> np.ndarray | list:

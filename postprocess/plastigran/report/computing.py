@@ -51,9 +51,9 @@ def compute_all(
             try:
                 results[name] = future.result()
             except ArithmeticError as error:
-                raise ValueError(f"finite elements, {name}: {error}") from None
+                raise ValueError(f"finite-element computation of {name}: {error}") from None
             if stopped := getattr(results[name], "stopped", ""):
-                raise ValueError(f"finite elements, {name}: {stopped}")
+                raise ValueError(f"finite-element computation of {name}: {stopped}")
             bar.update()
     finally:
         pool.shutdown(wait=True, cancel_futures=True)

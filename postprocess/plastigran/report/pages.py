@@ -22,7 +22,7 @@ PLACE = re.compile(r"(<!-- table (\w+) -->\n)(.*?)(<!-- end -->)", re.DOTALL)
 
 
 def read_pages(evidence: Evidence, folder: Path) -> dict[Path, str]:
-    """Return the text of the pages that show evidence, by path.
+    """Return the text of the pages of the docs that show computed results, by path.
 
     Args:
         evidence: Evidence that names the pages.
@@ -69,7 +69,7 @@ def fill(text: str, tables: Mapping[str, pd.DataFrame]) -> str:
 def publish(
     evidence: Evidence, findings: Findings, written: list[Path], folder: Path
 ) -> list[Path]:
-    """Write tables into the pages that show evidence, and copy the pictures; return the files.
+    """Write computed tables into pages of the docs, and copy the pictures; return all files.
 
     Args:
         evidence: Evidence that names the pages and the folder of pictures.

@@ -108,7 +108,7 @@ def row(hardness: float, pressing: Pressing) -> dict[str, float]:
 
 
 def comparison(law: str) -> pd.DataFrame:
-    """Compare restitutions by finite elements with measured values, small a/R and a law.
+    """Compare restitutions by finite elements with measured values, values at small a/R, and a law.
 
     Args:
         law: Name of the law.

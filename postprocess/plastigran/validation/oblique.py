@@ -142,7 +142,7 @@ def _as_restitution(part: pd.DataFrame, name: str) -> pd.Series:
 
 
 def summary(table: pd.DataFrame) -> pd.DataFrame:
-    """Return the error of each method of computation.
+    """Return the errors of each theory and of LIGGGHTS, compared with the measurements.
 
     Args:
         table: Table of `computed`.

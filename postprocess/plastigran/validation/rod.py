@@ -54,7 +54,7 @@ def impacts(names: Iterable[str] | None = None, tangential: str = "no_history") 
 
 
 def summary(impacts: pd.DataFrame) -> pd.DataFrame:
-    """Return the errors of each law [%].
+    """Return the errors of each law for the oblique rod [%].
 
     The four errors are: restitution at each of the two angles, and restitution and angular velocity
     of the one impact whose velocities the paper prints. The law with the smallest sum of absolute

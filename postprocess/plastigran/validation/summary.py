@@ -66,7 +66,7 @@ def summarised(page: str, law: str, table: pd.DataFrame) -> str:
 
 
 def write_summaries(folder: Path, table: pd.DataFrame) -> list[Path]:
-    """Write the summary of a law's errors into the page of every law; return the pages.
+    """Write the summary of the errors of each law into the page of this law; return the pages.
 
     Args:
         folder: Folder of the law pages.

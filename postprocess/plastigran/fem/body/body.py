@@ -85,7 +85,10 @@ class Body:
         self.fixed = np.concatenate([vector.get_dofs(name).all(FIXED[name]) for name in boundaries])
 
     def thickness(self, first: np.ndarray) -> np.ndarray:
-        """Return the thickness out of the plane, m, at radial coordinates `first`, m."""
+        """Return the thickness out of the plane, m, at first coordinates (r or x), m.
+
+        For a ring about the axis, this is the circumference.
+        """
         return 2 * pi * first if self.length is None else np.full_like(first, self.length)
 
     @property

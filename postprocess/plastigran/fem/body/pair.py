@@ -73,7 +73,7 @@ class Pair:
         return self.sphere.elastic_energy(*upper) + self.block.elastic_energy(*lower)
 
     def _split(self, displacement: np.ndarray, response: Response):
-        """Return displacement and response as two pairs, one for the sphere, one for the block."""
+        """Return two pairs (displacement, response): of the sphere, and of the block."""
         first_below = np.searchsorted(response.flowing, self.sphere.points)
         responses = zip(
             np.split(response.stress, [self.sphere.points]),

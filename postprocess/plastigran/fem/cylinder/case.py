@@ -29,7 +29,7 @@ class CylinderStrike:
     material: ElasticPlastic
     radius: float = radius_field("radius of the cylinder")
     length: float = number("length of the cylinder", "m", 0)
-    mass: float = number("mass that moves with the cylinder", "kg", 0)
+    mass: float = number("total mass that moves with the cylinder", "kg", 0)
     speed: float = speed_field("speed toward the body")
     sliding_speed: float = number(
         "speed along the surface", "m/s", 0, lower_allowed=True, default=0.0

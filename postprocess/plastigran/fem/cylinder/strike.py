@@ -53,8 +53,8 @@ class StrikeEquations(Equations):
         """Return the displacements after a Newton iteration with line search, and their balance.
 
         The full Newton change often fails, because points come into contact and start to yield
-        while the circle slides. The largest of the fractions SHARES of the change is used that
-        improves the balance of forces; if none improves it, the smallest.
+        while the circle slides. The line search tries the fractions SHARES of the change. It uses
+        the largest that improves the balance of forces; if there is none, the smallest.
 
         Raises:
             NoConvergence: Even the smallest fraction turns an element inside out.

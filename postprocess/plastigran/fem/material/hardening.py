@@ -56,7 +56,8 @@ class TabulatedHardening(Hardening):
     def __attrs_post_init__(self) -> None:
         if len(self.strains) != len(self.stresses) or self.strains[0] != 0:
             raise ValueError(
-                "a hardening table needs as many stresses as strains, and must start at strain 0"
+                f"the hardening table has {len(self.strains)} strains from {self.strains[0]:g} and "
+                f"{len(self.stresses)} stresses. Use equal numbers, and start at strain 0"
             )
         if self.stresses[0] <= 0:
             raise ValueError(f"stresses starts with {self.stresses[0]:g} Pa; it must be positive")

@@ -19,7 +19,7 @@ SYMMETRIC = np.array([[1.0, 0, 0, 0, 0], [0, 1.0, 0, 0, 0], [0, 0, 1.0, 0, 0], [
 
 
 class SmallStrain:
-    """Small strain: the measure is the symmetric displacement gradient.
+    """Small strain: the strain measure is the symmetric part of the displacement gradient.
 
     Attributes:
         surface_moves: Whether displacements change the area and position of a surface.
@@ -72,7 +72,7 @@ class SmallStrain:
 
 
 class FiniteStrain(SmallStrain):
-    """Logarithmic strain E = 1/2 ln C; the measure is the displacement gradient.
+    """Logarithmic strain E = 1/2 ln C; the strain measure is the displacement gradient.
 
     C = F^T F, where the deformation gradient F is the unit tensor plus the displacement gradient. E
     is the sum of an elastic and a plastic part. The stress T of the material is conjugate to E. The

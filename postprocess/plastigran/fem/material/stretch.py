@@ -91,7 +91,7 @@ class Stretch:
         return result
 
     def _slopes(self) -> np.ndarray:
-        """Return dE/dF (n, 4, 5)."""
+        """Return the derivatives of the strain E with respect to F (n, 4, 5)."""
         changes = self._first()[:, None] * self._changes
         tensors = np.einsum("nia,ngab,njb->ngij", self._vectors, changes, self._vectors)
         result = np.zeros((len(tensors), 4, 5))
@@ -115,7 +115,7 @@ class Stretch:
         return np.stack([equal[:, 0], mixed, mixed, equal[:, 1]], axis=-1).reshape(-1, 2, 2)
 
     def _second(self) -> np.ndarray:
-        """Return second divided differences f[a, k, b] (n, 2, 2, 2) of f = 1/2 ln, as `_first`."""
+        """Return second divided differences f[a, k, b] (n, 2, 2, 2) of f; see `_first`."""
         values = 1 + self._squares
         result = np.empty((len(values), 2, 2, 2))
         for one, other in ((0, 1), (1, 0)):

@@ -89,9 +89,12 @@ class SphereMesh:
         return np.abs(z.real) + 1j * z.imag
 
     def _quarter_plane(self) -> tuple[np.ndarray, np.ndarray]:
-        """Return the points w and the corners of the elements (n, 4).
+        """Return the mesh in the plane w of the conformal map.
 
         The mesh consists of the core, the rings, and for the upper half a disc in 1/w.
+
+        Returns:
+            Points w, and indices of the corners of the elements (n, 4).
         """
         disc, disc_quads, rim = quarter_disc(self.divisions)
         angle = np.exp(-1j * np.linspace(0, pi / 2, 2 * self.divisions + 1))
@@ -134,7 +137,7 @@ def graded(start: float, fine_end: float, end: float, fine: float, widest: float
 def ring_radii(
     core: float, fine_end: float, end: float, divisions: int, fineness: float
 ) -> np.ndarray:
-    """Return the radii of the rings of elements about a contact, narrow up to `fine_end`."""
+    """Return the radii of the rings of elements about a contact; rings are fine to `fine_end`."""
     coarse = pi / (4 * divisions) / fineness
     ends = (log(radius) for radius in (core, fine_end, end))
     return np.exp(graded(*ends, coarse / FINE_RATIO, 2 * coarse))

@@ -9,8 +9,7 @@ The constants C_a and K_c are slopes of least-squares lines through zero, fitted
 C_a is the slope of a - a_e versus P - P_Y. K_c is the slope of
 (a_e + C_a (P - P_Y))^2 / (R alpha) - 1 versus P - P_Y. The weight of a point is half the distance
 between its neighboring forces. The fit of K_c uses the contact radius of the law, not the computed
-contact radius.
-The law therefore reproduces the computed approach as well as possible.
+contact radius. The law therefore reproduces the computed approach as well as possible.
 """
 
 from __future__ import annotations
@@ -54,7 +53,7 @@ class Calibration:
 
 
 def calibrate(pressing: Pressing) -> Calibration:
-    """Fit C_a and K_c to the loading of a compression, from P_Y to its largest force.
+    """Fit the constants C_a and K_c of the law to a compression, from P_Y to its largest force.
 
     Raises:
         ValueError: The largest force is below LEAST_RATIO times the yield force. Or the plane is a

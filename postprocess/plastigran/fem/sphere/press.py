@@ -33,9 +33,9 @@ CUTS = 6  # largest number of halvings of an increment
 
 
 class ForceControl:
-    """Force control of a supported sphere.
+    """Force control of the compression of a supported sphere.
 
-    For each force that it applies, it appends a row to `rows`, the history of the compression.
+    `apply` appends a row for each force to `rows`, the history of the compression.
     """
 
     def __init__(self, equations: Equations, sphere: HertzSphere) -> None:
@@ -75,7 +75,8 @@ class ForceControl:
             reached = start.touch.force
             if cuts == CUTS:
                 raise NoConvergence(
-                    f"{error} between {reached:g} N and {force:g} N, after {cuts} halvings"
+                    f"{error}; the increment from {reached:g} N to {force:g} N fails even after "
+                    f"{cuts} halvings"
                 ) from None
             for part in ((reached + force) / 2, force):
                 self._before = None

@@ -34,9 +34,9 @@ class Vibration:
         history: Table with one row per time step. Columns are time s, force N (mean over the step
             that ends at this time) and contact_radius m. Columns of the center of mass are approach
             m, velocity m/s (upward) and centre_kinetic_energy J. Columns of the whole body are
-            kinetic_energy, elastic_energy, penalty_energy and middle_elastic_energy J. The last is
-            the elastic energy at the mean displacement of the step; this mean filters vibrations
-            that the steps do not resolve. Displacements relative to the center of mass are
+            kinetic_energy, elastic_energy, penalty_energy and middle_elastic_energy J, which is the
+            elastic energy at the mean displacement of the step. This mean filters vibrations that
+            the steps do not resolve. Displacements relative to the center of mass are
             top_displacement m (upward, of the pole far from the plane) and equator_displacement m
             (outward).
         modes: Table with one row for each of the lowest vibration modes of the mesh. Columns are

@@ -69,7 +69,9 @@ class Flight:
                 continue
             self._step = min(self._step * STEP_GROWTH, self.timestep)
             return
-        raise NoConvergence(f"no step from {self.now.time:g} s after {CUTS} halvings")
+        raise NoConvergence(
+            f"the time step at {self.now.time:g} s does not converge, even after {CUTS} halvings"
+        )
 
     def _advance(self, step: float) -> Motion:
         now = self.now
@@ -125,7 +127,10 @@ def follow(
             free += 1
         bar.update(100 * steps.now.time / (duration + free_time) - bar.n)
         if contact_end > longest * duration:
-            return f"the contact has not ended after {contact_end:g} s"
+            return (
+                f"the contact has not ended after {contact_end:g} s, {longest:g} times its "
+                "expected duration"
+            )
     return ""
 
 

@@ -22,7 +22,7 @@ class HertzLine:
 
     material: ElasticPlastic
     radius: float = number("radius of the circle", "m", 0)
-    length: float = number("length out of the plane", "m", 0)
+    length: float = number("length of the cylinder", "m", 0)
     thickness: float = number("thickness of the layer", "m", 0)
 
     def half_width(self, force: float) -> float:

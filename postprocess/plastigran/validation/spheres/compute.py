@@ -30,7 +30,10 @@ SETTINGS = Settings(growth=1.04, unloading_steps=10)
 
 
 def compute(metal: SphereMetal, settings: Settings = SETTINGS) -> pd.DataFrame:
-    """Return the rows of the table of spheres for one metal, from the cache if possible."""
+    """Return the rows of the finite-element table of spheres for one metal.
+
+    The computation is taken from the cache if possible.
+    """
     forces = tuple(float(force) for force in metal.forces)
     pressing = cached(press_and_release, metal.material, RADIUS, forces, settings=settings)
     if pressing.stopped:
@@ -39,7 +42,7 @@ def compute(metal: SphereMetal, settings: Settings = SETTINGS) -> pd.DataFrame:
 
 
 def rows(metal: SphereMetal, pressing: Pressing) -> pd.DataFrame:
-    """Return a row of the table of spheres for each unloading of a compression.
+    """Return a row of the finite-element table of spheres for each unloading of a compression.
 
     The module docstring of `plastigran.validation.spheres` explains the columns.
     """

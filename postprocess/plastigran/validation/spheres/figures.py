@@ -79,7 +79,7 @@ def errors_figure(constants: Constants, rows: pd.DataFrame) -> Figure:
 
 
 def _points(axes: Axes, rows: pd.DataFrame, x: np.ndarray, y: np.ndarray) -> None:
-    """Draw points by kind of contact. Points of held-out metals are open."""
+    """Draw points with a color for each kind of contact; held-out metals have open markers."""
     kinds, held_out = contact_kinds(rows), (rows["set"] == "held").to_numpy()
     for contact, colour, marker in zip(KINDS, COLOURS, "osD", strict=False):
         for is_open, face, ending in ((False, colour, ""), (True, "white", ", held out")):

@@ -34,9 +34,10 @@ REGIMES = (*SPEED_RATIOS, 1200)
 
 
 def fit(rows: pd.DataFrame) -> Constants:
-    """Return the constants that fit the rows of the set `fit` of the table of spheres best.
+    """Fit the constants of the law `universal` to the finite elements of the metals of the fit.
 
-    The fit minimizes the soft L1 norm of the scaled differences.
+    `rows` are rows of the table of spheres. The fit minimizes the soft L1 norm of the scaled
+    differences.
     """
     rows = rows[rows["set"] == "fit"]
     metals, t = Metals.of(rows), np.sqrt(rows["overlap_ratio"].to_numpy())

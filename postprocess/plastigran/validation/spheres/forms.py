@@ -144,7 +144,11 @@ def peak(constants: Constants, metals: Metals, t: np.ndarray) -> Peak:
 
 
 def unloading_work(g: np.ndarray) -> np.ndarray:
-    """Return the integral of y^(3/2) (1 + g)/(1 + g y^(1/2)) over y from 0 to 1 (n,)."""
+    """Return the released energy / (largest force times recovery) of unloading curves (n,).
+
+    The unloading curve is y^(3/2) (1 + g)/(1 + g y^(1/2)). The result is its integral over y from 0
+    to 1.
+    """
     g = np.asarray(g)[..., None]
     return np.sum(WEIGHTS * 2 * NODES**4 * (1 + g) / (1 + g * NODES), axis=-1)
 

@@ -80,7 +80,7 @@ class SphereMetal:
 
     @property
     def pair(self) -> laws.MaterialPair:
-        """Material pair of the metal and a rigid plane, for the laws."""
+        """Material pair of the metal and a rigid plane, from which a contact law is made."""
         # The tangent modulus is E_t = E H/(E + H).
         tangent_modulus = self.youngs_modulus * self.hardening_ratio / (1 + self.hardening_ratio)
         body = laws.Body(
