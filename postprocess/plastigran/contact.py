@@ -161,8 +161,8 @@ class Contact:
         yield pressure p_y of the weaker body (Johnson, Contact Mechanics, 1985, sec. 6.1). For
         cylinders, the mean pressure at yield is 1.5 sigma_Y, with the yield strength sigma_Y (Katta
         & Polycarpou 2010, J. Tribol. 132:041402). All laws for the same shape have the same yield
-        overlap. The force of a law may deviate from the elastic force from a smaller or larger
-        overlap on.
+        overlap. Nevertheless, the force of a law may leave the elastic curve at a smaller or larger
+        overlap.
 
         Raises:
             ValueError: The contact of a cylinder at yield is too large for the thickness of the

@@ -139,7 +139,7 @@ class Material:
 
 
 def _check_name(name: object) -> None:
-    """Reject a name that tables and folder names cannot contain."""
+    """Reject a material name that cannot be part of a table or of a folder name."""
     if not isinstance(name, str) or not _NAME.fullmatch(name):
         raise ValueError(
             f"name is {name!r}; it must be letters, digits, spaces and _ . + -, "
@@ -168,7 +168,7 @@ def law_class(name: str, adhesive: bool = False) -> type:
 
 
 def has_constants(law: str) -> bool:
-    """Return whether materials can define all constants that a law requires."""
+    """Return whether `Material` has a field for every constant that a law requires."""
     return set(_needed(law)) <= {field.name for field in attrs.fields(Material)}
 
 

@@ -32,10 +32,11 @@ EXIT_CODES = {
 
 
 def parser(wanted: str = "") -> argparse.ArgumentParser:
-    """Return the parser, with one subcommand for each experiment and each module of `commands`.
+    """Return the command-line parser.
 
-    Each of these modules provides HELP, EXAMPLE, add_arguments and run. If `wanted` is the name of
-    a subcommand, only this subcommand is added, because many modules are slow to load.
+    The parser has one subcommand for each experiment and for each module of `commands`. Each such
+    module provides HELP, EXAMPLE, add_arguments and run. If `wanted` is the name of a subcommand,
+    the parser has only this subcommand, because many modules are slow to load.
     """
     listed = "\n".join(f"  {code:<4d}{meaning}" for code, meaning in EXIT_CODES.items())
     top = argparse.ArgumentParser(
@@ -75,7 +76,7 @@ def main(argv: list[str] | None = None) -> int:
             arguments.run(arguments)
     except BrokenPipeError:  # the program that reads the output, such as `head`, has ended
         sys.stderr.close()
-    except KeyboardInterrupt as stop:  # if the exception has a text, it names the kept results
+    except KeyboardInterrupt as stop:  # the text of the exception, if any, names the kept results
         output = getattr(arguments, "output", None)
         results = str(stop) or (output and f"finished runs are in {output}")
         print(f"plastigran: stopped{f'; {results}' if results else ''}", file=sys.stderr)

@@ -166,10 +166,7 @@ def _sha256(file: Path) -> str:
 
 
 def signal_files(working_folder: Path) -> dict[Path, int]:
-    """Return the restart files that LIGGGHTS wrote when a signal stopped it, by path.
-
-    The values are the modification times [ns].
-    """
+    """Return the modification time [ns] of each restart file that LIGGGHTS wrote after a signal."""
     times = {}
     for file in working_folder.glob(f"{SIGNAL_FILE}_*"):
         with suppress(FileNotFoundError):  # another run may have moved the file
@@ -178,10 +175,11 @@ def signal_files(working_folder: Path) -> dict[Path, int]:
 
 
 def fetch_signal_file(working_folder: Path, earlier: dict[Path, int], folder: Path) -> None:
-    """Move the restart file that LIGGGHTS wrote when a signal stopped it to the folder of results.
+    """Move the restart file of a run that a signal stopped into the folder of results.
 
-    The name of the file contains the last step of the run, and the file did not exist before the
-    run. Other such files in the working folder may belong to other runs.
+    LIGGGHTS writes this file into its working folder. The name of the file contains the last step
+    of the run, and the file did not exist before the run. Other such files may belong to other
+    runs.
 
     Args:
         working_folder: Folder in which LIGGGHTS ran.

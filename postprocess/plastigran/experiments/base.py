@@ -35,7 +35,7 @@ def combinations(values: Mapping[str, Any]) -> list[dict[str, Any]]:
 
 @attrs.frozen
 class Experiment(Case):
-    """One case of an experiment, which is one simulation with given inputs.
+    """One case of an experiment: one simulation with given inputs.
 
     Each experiment is a subclass, whose fields declare the inputs with units and bounds. A subclass
     must define `deck` and `measure`. A subclass with a `command` is also a command of `plastigran`.
@@ -55,7 +55,9 @@ class Experiment(Case):
 
     @classmethod
     def plan(cls, **values: Any) -> list[Experiment]:
-        """Return every combination of field values, each case once; the first field varies slowest.
+        """Return a case for every combination of field values; the first field varies slowest.
+
+        Equal cases appear only once.
 
         Args:
             values: One value, or an iterable of values, by the name of the field.

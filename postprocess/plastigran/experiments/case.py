@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 @attrs.frozen
 class Case:
-    """One case of an experiment, which is one simulation with given inputs.
+    """One case of an experiment: one simulation with given inputs.
 
     The subclass `Experiment` adds studies of many cases.
 

@@ -32,7 +32,7 @@ _TEXTS = {"command": str, "words": list, "versions": dict}
 
 
 def add_row(path: Path, row: Mapping[str, object]) -> None:
-    """Append a row to a table, completely or not at all. The first row creates the file."""
+    """Append a row to a results table, completely or not at all. The first row creates the file."""
     line = pd.DataFrame([row])
     if path.exists():
         with open(path, "a", newline="") as file:

@@ -59,10 +59,10 @@ def viscoelastic_number(
     youngs_modulus_eff: float,
     speed: ArrayLike,
 ) -> np.ndarray:
-    """Return the dimensionless impact speed v* of viscoelastic spheres [-].
+    """Return the dimensionless number v* of an impact of viscoelastic spheres [-].
 
     v* = (3/2 A)^(1/2) (rho_k/m*)^(1/5) v^(1/10) with rho_k = 4/3 E* sqrt(R*). The restitution
-    depends only on v*. For bodies of one material, v* is proportional to R^(-1/2).
+    depends only on v*. For spheres of one material and of radius R, v* is proportional to R^(-1/2).
 
     Args:
         dissipative_constant: Ratio A of viscous to elastic constants [s].
@@ -106,8 +106,9 @@ def hertz_history(
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return time [s] and overlap [m] during an elastic impact, both (401,).
 
-    With d = overlap/d_max, energy conservation gives dt = (d_max/v) dd / (1 - d^(5/2))^(1/2). The
-    integral is an incomplete beta function of d^(5/2).
+    Let d_max be the largest overlap, d = overlap/d_max and v the closing speed. Energy conservation
+    gives dt = (d_max/v) dd / (1 - d^(5/2))^(1/2). The integral is an incomplete beta function of
+    d^(5/2).
 
     Arguments and source are as for `hertz_duration`.
     """

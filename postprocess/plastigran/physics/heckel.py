@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Fit of Heckel's line to the compaction of a powder in a die."""
+"""Fit of Heckel's line to the compaction of grains in a die."""
 
 from __future__ import annotations
 

@@ -28,7 +28,7 @@ EXAMPLE = "plastigran doctor"
 #: Largest allowed relative difference of the coefficient of restitution between a simulation, with
 #: the recommended time step, and theory.
 TOLERANCE = 1e-3
-#: Commands that need each optional package, by name of the package.
+#: Optional Python packages, each with the command that needs it.
 OPTIONAL = {"pyvista": "snapshot", "imageio": "snapshot --movie", "av": "snapshot --movie FILE.mp4"}
 
 

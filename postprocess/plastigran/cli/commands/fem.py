@@ -200,7 +200,7 @@ def _press(arguments: argparse.Namespace) -> dict:
     if ratios[-1] <= 1:
         say(
             f"the largest force, {forces[-1]:.4g} N, is below the yield force, "
-            f"{sphere.yield_force:.4g} N"
+            f"{sphere.yield_force:.4g} N, so that no body yields"
         )
     case = (sphere.material, sphere.radius, forces)
     numbers = computed(press, *case, strain=arguments.strain, plane=sphere.plane).to_dict()

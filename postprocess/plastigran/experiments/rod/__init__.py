@@ -38,10 +38,11 @@ _FRICTION = attrs.evolve(
 class RodImpact(Experiment):
     """One impact of a rod that falls vertically.
 
-    `tangential` selects the friction model of LIGGGHTS. With `history`, a spring holds the tip
-    until the force of the spring reaches mu F. With `no_history`, friction is mu F as soon as the
-    tip slides, as in the paper. `incremental` and `partial_slip` are the tangential laws of
-    this project.
+    `tangential` selects the friction model of LIGGGHTS. mu F is the friction limit, with the
+    coefficient of friction mu and the normal force F. With `history`, a spring holds the tip until
+    the force of the spring reaches mu F. With `no_history`, friction is mu F as soon as the tip
+    slides, as in the paper. `incremental` and `partial_slip` are the tangential laws of this
+    project.
 
     Raises:
         ValueError: A field is out of range, LIGGGHTS does not support the combination, or the

@@ -23,8 +23,8 @@ def measure_rod(
 
     Args:
         trajectory: Path of the dump, or its table from `read_dump`.
-        gravitational_acceleration: Value of the deck [m/s^2]; the dumped forces include the weight
-            of each sphere.
+        gravitational_acceleration: Gravitational acceleration in the deck [m/s^2]. The forces in
+            the dump include the weight of each sphere, which this function subtracts.
 
     Raises:
         CollisionError: The table does not contain three spheres, or the tip never touches or does
