@@ -39,7 +39,7 @@ def test_stiff_half_space_is_a_rigid_plane(elastic_pressing):
     on_stiff = press(ELASTIC, RADIUS, [FORCE], COARSE, plane=STIFF).unloadings.iloc[0]
     on_rigid = elastic_pressing.unloadings.iloc[0]
     for name in ("approach", "contact_radius", "coefficient_of_restitution"):
-        # The stiff half space makes the contact softer by 1e-5.
+        # The half space is not quite rigid; its stiffness makes the contact softer by 1e-5.
         assert on_stiff[name] == pytest.approx(on_rigid[name], rel=1e-4), name
 
 

@@ -87,7 +87,8 @@ def test_pressing_again_rejoins_the_loading_curve(plastic_pressing):
     at_once = press(METAL, RADIUS, [1500.0], COARSE).unloadings.iloc[0]
     again = plastic_pressing.unloadings.iloc[-1]
     for name in ("approach", "residual_approach", "coefficient_of_restitution"):
-        # The stop at 500 N adds a load step; load steps of 15 % cause a similar error.
+        # The additional stop at 500 N adds a load step. The tolerance is the error of load steps of
+        # 15 %.
         assert again[name] == pytest.approx(at_once[name], rel=5e-3), name
 
 

@@ -68,7 +68,8 @@ def test_elastic_strike_rebounds_as_hertz(elastic):
     assert elastic.coefficient_of_restitution == pytest.approx(1, abs=5e-3)
     force = CASE.line.impact_force(CASE.mass, CASE.speed)
     assert elastic.force_max == pytest.approx(force, rel=0.03)
-    # Theory uses a linear spring with the secant stiffness, which is some per cent slower.
+    # The theory uses a linear spring with the secant stiffness; its contact time is some per cent
+    # longer.
     assert elastic.contact_time == pytest.approx(CASE.line.duration(CASE.mass, 0.3), rel=0.05)
 
 
@@ -173,7 +174,8 @@ def test_tangent_of_the_contact_is_its_derivative():
     ahead, behind = (circle.touch(place + sign * change, last).nodal for sign in (1, -1))
     edges = circle.touch(place, last).stiffness @ change[circle.dofs][:, :, None]
     expected = -np.bincount(circle.dofs.ravel(), edges.ravel(), minlength=size)
-    # The tolerance covers the few points that open or begin to slide within the change.
+    # The tolerance covers the few points at which the contact opens or sliding begins within the
+    # change of displacement.
     assert (ahead - behind) / 2 == pytest.approx(expected, abs=1e-4 * np.abs(expected).max())
 
 

@@ -75,7 +75,8 @@ def test_plane_pushes_only_and_gives_its_energy_back(vibration):
 def test_energy_left_is_what_the_rebound_lacks(vibration):
     restitution = vibration.coefficient_of_restitution
     assert 1 - restitution**2 == pytest.approx(vibration.vibration_energy, rel=1e-3)
-    # Half of the energy of a vibration is kinetic, so the kinetic energy of the sphere contains it.
+    # Half of the energy of a vibration is kinetic. The kinetic energy of the sphere in flight
+    # contains this half.
     lost = 1 - vibration.kinetic_restitution**2
     assert lost == pytest.approx(vibration.vibration_energy / 2, rel=0.05)
 

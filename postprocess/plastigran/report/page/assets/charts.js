@@ -31,7 +31,7 @@ function coloured(trace) {
   return drawn;
 }
 
-/** Width of an A4 page within its margins [px]. At `beforeprint`, the page does not yet have it. */
+/** Width of an A4 page within its margins [px]. When printing starts, the page is still wider. */
 const PAPER = 680;
 
 async function draw(element, printing = false) {
@@ -46,7 +46,7 @@ async function draw(element, printing = false) {
 }
 
 const all = () => [...document.querySelectorAll(".plot")];
-/** Draw charts near the visible part of the page first, the others when the browser is idle. */
+/** Draw charts near the visible part of the page first, all other charts when the browser is idle. */
 const near = new IntersectionObserver((seen) => {
   for (const { isIntersecting, target } of seen)
     if (isIntersecting) { near.unobserve(target); draw(target); }

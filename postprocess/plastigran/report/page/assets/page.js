@@ -19,7 +19,7 @@ function light(mode) {
   page.emit("lit");
 }
 function storedTheme(value) {
-  try { // A page opened from a file may have no storage.
+  try { // A page that is opened from a file may have no access to the storage of the browser.
     if (value === undefined) return localStorage.getItem("plastigran-theme");
     localStorage.setItem("plastigran-theme", value);
   } catch { return null; }
