@@ -29,8 +29,8 @@ const double rounding = 1e-6;
 // directions is below this value.
 const double opposite = 0.5;
 
-// Rotates `vector` by the smallest rotation from the direction `from` to the direction `to`, unless
-// they are opposite or zero.
+// Rotates `vector` by the smallest rotation from the direction `from` to the direction `to`. Does
+// nothing if the two are opposite or one of them is zero.
 void rotate(const double* from, const double* to, double* vector) {
   const double lengths = vectorMag3D(from) * vectorMag3D(to);
   const double cosine = vectorDot3D(from, to) / lengths;

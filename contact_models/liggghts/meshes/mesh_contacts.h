@@ -49,8 +49,8 @@ class MeshContacts {
   struct Overlap {
     int triangle;       // local index of the triangle
     double to_foot[3];  // from the center of the particle to the nearest point of the triangle
-    // Overlap [m], negative for a gap. A value below -reach marks an edge or corner that LIGGGHTS
-    // assigns to another triangle.
+    // Overlap [m], negative for a gap. A gap beyond reach_of() marks an edge or corner that
+    // LIGGGHTS assigns to another triangle.
     double depth;
     bool has_history;  // whether LIGGGHTS stores a history for this contact
     int surface;       // index of the first overlap with the same surface

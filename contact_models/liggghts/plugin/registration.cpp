@@ -60,7 +60,8 @@ const RegisteredLaw& law_of(int64_t hash) {
                         [id](const RegisteredLaw* law) { return law->id == id; });
 }
 
-// Returns whether a combination was compiled for `model` at `place`, or for any model there.
+// Returns whether a combination was compiled for `model` as its model of the kind `place`, or for
+// any model of this kind.
 bool has(const RegisteredCombination& combination, int RegisteredCombination::*place, int model) {
   return combination.*place == model || combination.*place == ANY;
 }
