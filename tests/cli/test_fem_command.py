@@ -83,7 +83,7 @@ def test_vibrating_sphere_names_its_modes(capsys):
         ),
         (["fem", "press", *METAL, "--hardening", "-3", "--force-ratio", "3"], "modulus is -3"),
         (["fem", "throw", *METAL, "--speed", "900"], "speed of sound"),
-        (["fem", "throw", *METAL, "--speed", "100"], "times the radius; the largest is 0.4"),
+        (["fem", "throw", *METAL, "--speed", "100"], "radius; the upper limit is 0.4"),
         (["fem", "press", *METAL[:4], "--elastic", "--force-ratio", "3"], "neither body yields"),
         (
             ["fem", "throw", *ELASTIC, "--hardening", "1e8"],
@@ -102,8 +102,8 @@ def test_vibrating_sphere_names_its_modes(capsys):
             "--plane-yield is missing",
         ),
         (["fem", "vibrate", *METAL[:4], "--speed", "900"], "speed of sound"),
-        (["fem", "vibrate", *METAL[:4], "--speed", "500"], "times the radius; the largest is 0.5"),
-        (["calibrate", "--fem", *DENSE, "--range", "1e6"], "times the radius; the largest is 0.4"),
+        (["fem", "vibrate", *METAL[:4], "--speed", "500"], "radius; the upper limit is 0.5"),
+        (["calibrate", "--fem", *DENSE, "--range", "1e6"], "radius; the upper limit is 0.4"),
         (["calibrate", *DENSE, "--range", "1.2"], "needs at least 3 times the yield force"),
     ],
 )

@@ -134,8 +134,8 @@ def test_pressing_that_gives_up_keeps_what_it_has(monkeypatch):
         ([-1.0], "-1 N"),
         ([200.0, 100.0], "100 N after 200 N"),
         ([float("nan")], "nan N"),
-        ([1e12], "times the radius; the largest is 0.4"),
-        ([1e-15], "times the radius; the smallest is 1e-06"),
+        ([1e12], "times the radius; the upper limit is 0.4"),
+        ([1e-15], "times the radius; the lower limit is 1e-06"),
     ],
 )
 def test_forces_that_cannot_be_pressed_are_refused(forces, said):

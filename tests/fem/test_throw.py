@@ -65,7 +65,7 @@ def test_elastic_plastic_sphere_rebounds_as_the_slow_pressing_says(plastic_throw
         (0.0, "must be positive"),
         (-1.0, "must be positive"),
         (1e4, "speed of sound"),
-        (300.0, "1.5 times the radius; the largest is 0.4"),
+        (300.0, "1.5 times the radius; the upper limit is 0.4"),
     ],
 )
 def test_speeds_that_cannot_be_thrown_are_refused(speed, said):

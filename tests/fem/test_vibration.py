@@ -184,7 +184,7 @@ def test_spectrum_tells_frequency_and_amplitude():
         ({"material": METAL}, "only elastic spheres"),
         ({"settings": Settings(strain="finite")}, "vibrations need strain='small'"),
         ({"transits": 0.0}, "transits is 0; it must be positive"),
-        ({"speed": 300.0}, "times the radius; the largest is 0.5"),
+        ({"speed": 300.0}, "times the radius; the upper limit is 0.5"),
     ],
 )
 def test_what_cannot_be_followed_is_refused(changes, said):

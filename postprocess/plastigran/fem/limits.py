@@ -122,10 +122,12 @@ def check_reach(
     ratio = reach / sphere.radius
     estimate = f"{cause} gives a contact radius of about {ratio:.2g} times the radius"
     if ratio < SMALLEST:
-        raise ValueError(f"{estimate}; the smallest is {SMALLEST:g}. Check the units: Pa, kg/m3, m")
+        raise ValueError(
+            f"{estimate}; the lower limit is {SMALLEST:g}. Check the units: Pa, kg/m3, m"
+        )
     if ratio > largest:
         raise ValueError(
-            f"{estimate}; the largest is {largest:g}. Use a smaller value, or check the units: "
+            f"{estimate}; the upper limit is {largest:g}. Reduce the load, or check the units: "
             "Pa, kg/m3, m"
         )
     if strain == "small" and ratio > SMALL_STRAIN:

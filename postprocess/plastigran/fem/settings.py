@@ -25,14 +25,22 @@ class Settings:
     """
 
     divisions: int = whole("number of elements across the core of the mesh", 2, default=6)
-    fineness: float = number("factor on the number of rings of elements", "-", 0.1, 10, default=1.0)
-    growth: float = number("ratio of consecutive force increments", "-", 1, 2, default=1.05)
+    fineness: float = number(
+        "factor that multiplies the number of rings of elements", "-", 0.1, 10, default=1.0
+    )
+    growth: float = number("ratio of consecutive forces beyond yield", "-", 1, 2, default=1.05)
     unloading_steps: int = whole("number of force increments of an unloading", 4, default=24)
     steps_of_contact: int = whole("number of time steps during a Hertz impact", 20, default=250)
     free_steps: int = whole("number of time steps after the end of contact", 1, default=5)
     frames: int = whole("number of field snapshots during a Hertz impact", default=0)
-    penalty: float = number("stiffness of the plane divided by E*/h", "-", 1, 1e5, default=PENALTY)
-    strain: str = word("kinematics, small or finite strain", KINEMATICS, default="small")
+    penalty: float = number(
+        "penalty stiffness divided by E*/h, with the length h of an element edge",
+        "-",
+        1,
+        1e5,
+        default=PENALTY,
+    )
+    strain: str = word("kinematics: small or finite strain", KINEMATICS, default="small")
 
     @property
     def kinematics(self) -> SmallStrain:

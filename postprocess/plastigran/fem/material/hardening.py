@@ -26,7 +26,11 @@ class LinearHardening(Hardening):
 
     yield_strength: float = number("uniaxial yield stress", "Pa", 0)
     modulus: float = number(
-        "plastic modulus d sigma / d eps_p", "Pa", 0, lower_allowed=True, default=0.0
+        "plastic modulus: slope of flow stress over plastic strain",
+        "Pa",
+        0,
+        lower_allowed=True,
+        default=0.0,
     )
 
     def flow_stress(self, strain: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -76,13 +80,14 @@ class TabulatedHardening(Hardening):
 
 @attrs.frozen
 class RateFactor:
-    """Rate factor of Johnson and Cook (1983).
+    """Factor of Johnson and Cook (1983) by which the strain rate raises the flow stress.
 
-    The factor is 1 + C ln(rate / reference) above the reference rate, and 1 below this rate.
+    The factor is 1 + C ln(rate / reference) above the reference rate, and 1 below this rate. C is
+    the rate coefficient.
     """
 
-    coefficient: float = number("C of Johnson and Cook", "-", 0, lower_allowed=True)
-    reference_rate: float = number("strain rate at which the factor is 1", "1/s", 0, default=1.0)
+    coefficient: float = number("rate coefficient C", "-", 0, lower_allowed=True)
+    reference_rate: float = number("strain rate up to which the factor is 1", "1/s", 0, default=1.0)
 
     def factor(self, rate: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return the factor [-] on the flow stress, and its derivative by the strain rate, s."""

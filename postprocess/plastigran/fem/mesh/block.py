@@ -38,7 +38,9 @@ class HalfBlock:
     reach: float = number("largest contact radius of the mesh", "m", 0)
     size: float = number("radius of the base", "m", 0)
     divisions: int = whole("number of elements across the core", 2, default=6)
-    fineness: float = number("factor on the number of rings", "-", 0.1, 10, default=1.0)
+    fineness: float = number(
+        "factor that multiplies the number of rings", "-", 0.1, 10, default=1.0
+    )
 
     def __attrs_post_init__(self) -> None:
         require(self, "size", lower=self._fine)

@@ -31,7 +31,7 @@ class SphereMesh:
         reach: Largest contact radius of the mesh, m.
         divisions: Number of elements across `core`. A ring has twice as many elements from the axis
             to the circle.
-        fineness: Factor on the number of rings.
+        fineness: Factor that multiplies the number of rings.
         whole: Whether to mesh the whole sphere instead of its lower half.
     """
 

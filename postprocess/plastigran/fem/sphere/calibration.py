@@ -63,7 +63,7 @@ def calibrate(pressing: Pressing) -> Calibration:
     if pressing.plane is not None:
         raise ValueError(
             f"plane is a half space with E = {pressing.plane.youngs_modulus:g} Pa; a fit needs "
-            "a sphere on a rigid plane"
+            "a sphere on a rigid plane. Use plane=None"
         )
     sphere = HertzSphere(pressing.material, pressing.radius)
     yield_force = sphere.yield_force
@@ -81,8 +81,8 @@ def calibrate(pressing: Pressing) -> Calibration:
     for name, value in {"C_a": widening, "K_c": curvature}.items():
         if not value > 0:
             raise ValueError(
-                f"{name} would be {value:.3g}; the law needs positive values. Use a metal with "
-                "less hardening"
+                f"the fitted constant {name} would be {value:.3g}; the law needs positive values. "
+                "Use a metal with less hardening"
             )
     fitted_approach = fitted**2 / (pressing.radius * (1 + curvature * excess))
     return Calibration(

@@ -60,7 +60,10 @@ def vibrate(
     settings = settings or Settings()
     sphere = HertzSphere(material, radius)
     if material.hardening is not None:
-        raise ValueError("material has a hardening law, but only elastic spheres are supported")
+        raise ValueError(
+            "material has a hardening law, but only elastic spheres are supported. Use "
+            "hardening=None"
+        )
     if settings.strain != "small":
         raise ValueError(f"strain is {settings.strain!r}; vibrations need strain='small'")
     if not 0 < transits < inf:

@@ -49,13 +49,13 @@ def collect(folders: Iterable[str | Path]) -> list[Results]:
     by_folder: dict[Path, Results] = {}
     for argument in map(Path, folders):
         if not argument.is_dir():
-            raise ValueError(f"{argument} is not a folder. A report needs folders of results")
+            raise ValueError(f"{argument} is not a folder. Give a folder with results")
         top = argument.resolve()
         entries = sorted(_search(top, top), key=_start_time) or [Results("nothing", top, top.name)]
         for entry in entries:
             by_folder.setdefault(entry.folder, entry)
     if not by_folder:
-        raise ValueError("no folder given. A report needs folders of results")
+        raise ValueError("no folder is given. Give one or more folders with results")
     titles = Counter(entry.title for entry in by_folder.values())
     distinct = [
         attrs.evolve(entry, title=f"{entry.folder.parent.name}/{entry.title}")

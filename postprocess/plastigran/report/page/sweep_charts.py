@@ -57,7 +57,8 @@ def measured_chart(table: pd.DataFrame, materials: Mapping[str, Material]) -> Ch
         description=f"{', '.join(map(words, quantities))} versus {words(abscissa)}, one curve per "
         "law",
         caption="Points are impacts in LIGGGHTS; lines are the theory of the law. If points lie "
-        "on their line, the run is verified. The accuracy of the law itself is shown below."
+        "on their line, LIGGGHTS solves the law correctly. The accuracy of the law itself is shown "
+        "below."
         f"{_dash_legend(table, abscissa)}",
         menu="Quantity",
         height=440,
