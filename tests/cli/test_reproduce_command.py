@@ -33,7 +33,7 @@ def test_a_page_with_an_unknown_table_is_refused(tmp_path, capsys):
     (tmp_path / "zv02.md").write_text("<!-- table colours -->\n<!-- end -->\n")
     line = ["reproduce", "zv02", "--output", str(tmp_path / "out"), "--docs", str(tmp_path)]
     assert main(line) == 1
-    assert "markers for the table colours, but zv02 has no such" in capsys.readouterr().err
+    assert "has a line `<!-- table colours -->`" in capsys.readouterr().err
     assert main([*line, "--coarse"]) == 1
     assert "Remove --coarse" in capsys.readouterr().err
     assert not (tmp_path / "out").exists()
