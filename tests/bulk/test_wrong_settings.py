@@ -54,7 +54,11 @@ def test_impossible_settings_are_refused(deck, change, message):
     ("deck", "change", "check"),
     [
         ("cooling_gas", {"yield_strength": 2.85e9}, "temperature from mean-field theory"),
-        ("bed_impact", {"yield_strength": 1.1e5}, "restitution of a shot compared with the law"),
+        (
+            "bed_impact",
+            {"yield_strength": 1.1e5},
+            "difference between the restitution of a shot and that of the law",
+        ),
         ("drum", {"froude": 0.051}, "relative difference between the wall work"),
         ("drum", {"gravitational_acceleration": 9.9}, "relative difference between the wall work"),
         ("chute", {"angle": 25.5}, "work of gravity compared with the work on the center"),

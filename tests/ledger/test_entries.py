@@ -76,8 +76,10 @@ def test_a_fix_within_a_step_reads_the_previous_term(tmp_path):
 
 
 def test_terms_before_the_first_run_are_current(tmp_path):
-    """Before the first run, the terms show the current speeds: the deck sets 0.1 m/s between two
-    outputs."""
+    """Before the first run, the energy terms follow from the current velocities.
+
+    The deck sets the velocity to 0.1 m/s between two outputs.
+    """
     ledger("changed", tmp_path)
     log = (tmp_path / "log.liggghts").read_text()
     resting, given = (

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Viscoelastic spheres, compared with their Padé form, their equation of motion and energies."""
+"""Tests of `viscoelastic_hertz`: restitution by a Padé approximation and by the equation of motion,
+and energies.
+"""
 
 from __future__ import annotations
 

@@ -109,7 +109,9 @@ class BulkDeck:
         whole("1: write contact histories to the frames; 0: do not", upper=1)
     )
     rows: int = whole("number of log lines", 1)
-    checkpoints: int = whole("number of restart files, a divisor of the setting rows", 1)
+    checkpoints: int = whole(
+        "number of restart files; the setting `rows` must be a multiple of it", 1
+    )
     ledger: str = word("energy balance", ("on", "off"))
 
     def __attrs_post_init__(self) -> None:

@@ -62,7 +62,11 @@ class Rings:
             self._slip(wanted)
 
     def _cut(self, overlap: float) -> float:
-        """Remove the rings outside a contact with this smaller overlap, and return their shift."""
+        """Remove the rings outside the contact area after the overlap has decreased to `overlap`.
+
+        Returns:
+            Tangential displacement of the removed rings [m].
+        """
         held = 0.0
         while self.rings and self.rings[-1][1] > overlap:
             begin, end, share = self.rings.pop()

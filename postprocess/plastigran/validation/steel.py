@@ -147,7 +147,7 @@ def craters() -> pd.DataFrame:
     for hardness, measured in CRATERS.items():
         strength = float(flow_stress(hardness))
         diameters = [2e3 * contact_radius(law, strength) for law in table["law"]]
-        table[f"{hardness:g} HV: about {1e3 * measured:.2f} mm"] = np.round(diameters, 3)
+        table[f"{hardness:g} HV: crater of about {1e3 * measured:.2f} mm"] = np.round(diameters, 3)
     return table
 
 

@@ -26,8 +26,9 @@ TIGHT = {"method": "DOP853", "dense_output": True, "rtol": 1e-12, "atol": 1e-15}
 
 
 def motion(b: float):
-    """Return the solution for sqrt(d), d' and time as functions of s. With dt = sqrt(d) ds, the
-    equations contain no square root.
+    """Return sqrt(d), d' and time as functions of s, where dt = sqrt(d) ds.
+
+    With this variable, the equation of motion contains no square root.
     """
 
     def slope(_, y):
@@ -44,7 +45,10 @@ def motion(b: float):
 
 
 def closing(b: float):
-    """Return the solution for d' and time as functions of sqrt(1/r), from first touch to d' = d."""
+    """Return the rate d' and the time of the approach as functions of sqrt(1/r), where r = d'/d.
+
+    The approach begins at first touch, where 1/r = 0, and this solution ends at r = 1.
+    """
 
     def slope(z, y):
         rate, _ = y
@@ -56,8 +60,9 @@ def closing(b: float):
 
 
 def opening(b: float, begin):
-    """Return the solution for d and time as functions of r, from d' = d to -1/b, where the
-    force vanishes.
+    """Return the overlap d and the time as functions of r = d'/d, from r = 1 to r = -1/b.
+
+    At r = -1/b, the force vanishes.
     """
 
     def slope(ratio, y):

@@ -47,7 +47,7 @@ TANGENTIAL_RESTITUTION = Quantity(
 )
 SPIN_GAINED = Quantity("spin after (rad/s)", lambda _, after: -after.spin)
 SURFACE_ANGLE = Quantity(
-    "rebound angle of the surface (°)",
+    "rebound angle of the contact point (°)",
     lambda impact, after: np.degrees(np.arctan2(impact.surface_speed(after), after.normal)),
 )
 INCIDENT = Quantity(r"$v_t/(\mu v_n)$", lambda impact, _: impact.before.along / _friction(impact))

@@ -32,8 +32,8 @@ class CylinderImpact(CentralImpact):
     `material` is the material of the body that yields. The second body is rigid.
 
     Raises:
-        ValueError: A field is out of range, the body is too thin to yield under a line contact, or
-            the overlap would be too large for any law.
+        ValueError: A field is out of range, `body_thickness` is too small for the formula of
+            the elastic line contact up to yield, or the overlap is too large for any law.
     """
 
     geometry: str = word("deck", ("cylinder_wall",), default="cylinder_wall")
@@ -69,7 +69,7 @@ class CylinderImpact(CentralImpact):
     def __attrs_post_init__(self) -> None:
         if self.wall is not None:
             raise ValueError(f"wall is {self.wall.name}, but a cylinder must hit a rigid wall")
-        self.yield_speed()  # raises an error for a body that is too thin
+        self.yield_speed()  # raises an error if `body_thickness` is too small
         super().__attrs_post_init__()
 
     @property

@@ -152,19 +152,19 @@ def plate_checks(shot: pd.DataFrame, mass: float, dissipated: pd.Series) -> list
             "all shots hit and rebound in time; otherwise raise duration",
         ),
         Check(
-            "restitution of a shot compared with the law, relative",
+            "difference between the restitution of a shot and that of the law, relative",
             (shot["rebound_speed"] / predicted - 1).abs().max(),
             INTEGRATOR,
             reason,
         ),
         Check(
-            "quantiles of rebound speed compared with the law, divided by the fastest impact speed",
+            "difference of rebound speeds (quantiles) from the law, relative to the fastest impact",
             abs(quantiles).max() / impact.max(),
             INTEGRATOR,
             reason,
         ),
         Check(
-            "dissipated energy compared with the law, divided by the impact energy",
+            "difference of the dissipated energy from the law, relative to the impact energy",
             abs(dissipated.iloc[-1] - lost) / (0.5 * mass * (impact**2).sum()),
             INTEGRATOR,
             reason,

@@ -53,7 +53,7 @@ class CoolingGas(BulkDeck):
     )
     rows: int = continuable(whole("number of log lines", 1))
     checkpoints: int = continuable(
-        whole("number of restart files, a divisor of the setting rows", 1)
+        whole("number of restart files; the setting `rows` must be a multiple of it", 1)
     )
 
     def check(self) -> None:

@@ -193,8 +193,8 @@ def notes(table: pd.DataFrame, strain: float) -> list[str]:
     reached = table["strain"].iloc[-1]
     if isnan(reached):
         return [
-            "the strength was not measured, because the platen did not leave the sample. "
-            "Raise release"
+            "the strength was not measured, because the platen still touched the sample at the end "
+            "of the release. Use a larger value of the setting `release`"
         ]
     if reached >= strain:
         return []
