@@ -159,7 +159,7 @@ void bind_laws(nb::module_& module) {
                   "Response"),
           R"(Return the response of one contact or of an array of contacts.
 
-The yield strength is that of the `pair`, at its reference rate. For the yield strength at the
+The law uses the yield strength of the `pair` at the reference rate. For the yield strength at the
 strain rate of an impact, use the law that `at_impact` returns.
 
 Args:
@@ -185,7 +185,7 @@ Raises:
                   "None) -> dict[str, Numbers]"),
           R"(Return the responses along a path of overlaps, or along an array of paths.
 
-The yield strength is that of the `pair`, at its reference rate. For the yield strength at the
+The law uses the yield strength of the `pair` at the reference rate. For the yield strength at the
 strain rate of an impact, use the law that `at_impact` returns.
 
 Args:

@@ -72,7 +72,7 @@ def test_wrong_force_is_noticed(test_run):
     series = read_series(test_run.folder)
     series["force"] *= 1.1
     failed = {check.name.split(" compared")[0] for check in test_run.deck.analyse(series).failed}
-    stress = "relative difference between the stress after consolidation and its setting"
+    stress = "relative difference between stress after consolidation and consolidation_stress"
     assert {"work of the platen", stress} <= failed
 
 

@@ -61,8 +61,8 @@ def test_impossible_settings_are_refused(deck, change, message):
         ),
         ("drum", {"froude": 0.051}, "relative difference between the wall work"),
         ("drum", {"gravitational_acceleration": 9.9}, "relative difference between the wall work"),
-        ("chute", {"angle": 25.5}, "work of gravity compared with the work on the center"),
-        ("chute", {"gravitational_acceleration": 9.9}, "work of gravity compared with the work"),
+        ("chute", {"angle": 25.5}, "work of gravity and the work on the center"),
+        ("chute", {"gravitational_acceleration": 9.9}, "work of gravity and the work"),
         # rates just outside the band of Beverloo's law
         ("hopper", {"orifice": "6"}, "discharge rate outside the band of Beverloo's law"),
         ("hopper", {"gravitational_acceleration": 3.5}, "discharge rate outside the band"),

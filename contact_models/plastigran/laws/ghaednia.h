@@ -23,7 +23,7 @@ struct GhaedniaCurve : JacksonGreenCurve {
   static constexpr const char* name = "ghaednia";
   static constexpr const char* source = "Ghaednia, Marghitu & Jackson 2014, J. Tribol. 137:011403";
   static constexpr const char* range =
-      "overlap <= 1000 times that at yield; one steel on iron, both deforming";
+      "overlap <= 1000 times that at yield; fitted to a steel rod on an iron flat";
   enum Loading { exponent_of_overlap, prefactor };
   struct Parameters {
     int loading = exponent_of_overlap;

@@ -46,7 +46,7 @@ class Luding2008 : public AdhesiveLimit<Luding2008> {
       {"unloading_stiffness", "N/m", &Parameters::unloading_stiffness, 1e-6, 1e18,
        "k_2, largest stiffness of unloading, above k_1"},
       {"adhesive_stiffness", "N/m", &Parameters::adhesive_stiffness, 0, 1e18,
-       "k_c, slope of the adhesive limit"},
+       "k_c, slope of the largest adhesive force versus overlap"},
       {"plasticity_depth", "-", &Parameters::plasticity_depth, 1e-6, 1,
        "phi, largest residual overlap divided by 2 R*"},
   }};

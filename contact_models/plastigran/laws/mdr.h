@@ -37,7 +37,8 @@ namespace plastigran {
 struct MdrCurve : NoConstants {
   static constexpr const char* name = "mdr";
   static constexpr const char* source = "Zunker & Kamrin 2024, J. Mech. Phys. Solids 183:105492";
-  static constexpr const char* range = "overlap <= 0.1 R, contacts without influence on each other";
+  static constexpr const char* range =
+      "overlap <= 0.1 R; contacts of a body do not influence each other";
   static constexpr double largest = 0.7;  // overlap/R up to which the contact area grows
 
   FittedSphere sphere;

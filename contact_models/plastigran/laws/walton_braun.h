@@ -36,7 +36,7 @@ class WaltonBraun : public LargestOverlap {
       {"unloading_stiffness", "N/m", &Parameters::unloading_stiffness, 0, 1e18,
        "k_2' (k_2 at zero load), at least k_1; 0 means k_1"},
       {"unloading_stiffness_slope", "1/m", &Parameters::unloading_stiffness_slope, 0, 1e15,
-       "S, growth of k_2 with the largest force"},
+       "S, increase of k_2 per unit of the largest force"},
   }};
   static bool admissible(const MaterialPair&, const Parameters& constants) {
     return constants.unloading_stiffness == 0 ||

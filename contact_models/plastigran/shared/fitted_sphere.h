@@ -51,7 +51,7 @@ constexpr Option<Parameters> reading_option(int Parameters::*value) {
       "reading",
       value,
       {"yielding_body", "pair", nullptr},
-      "which modulus and radius enter the fit to one sphere: of the yielding body or of the pair"};
+      "whether the modulus and radius of the yielding body or of the pair enter the fitted law"};
 }
 
 // Base of laws that have no constants and only the option `reading`.

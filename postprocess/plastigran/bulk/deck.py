@@ -270,7 +270,7 @@ class FlowDeck(GranularDeck):
     steady_rows: ClassVar[int] = 10
 
     size_spread: float = number(
-        "relative change of the radius: half of the grains smaller, half larger",
+        "fraction by which half of the grains are smaller than radius, and half are larger",
         "-",
         0,
         0.5,

@@ -82,7 +82,7 @@ class BulkRun:
         elif checks := self.analysis.checks:
             state += f", {len(checks)} checks passed"
         if self.notes:
-            state += ", not all measured: see notes"
+            state += ", some results were not measured (see notes)"
         return f"<run of {self.name} in {self.folder}: {len(self.series)} rows, {state}>"
 
     def raise_if_failed(self) -> Self:

@@ -69,6 +69,7 @@ def _add_flag(
 ) -> None:
     word = _word(setting, flag)
     unit = f", {declaration.unit}" if declaration.unit != "-" else ""
+    meaning, semicolon, remark = declaration.meaning.partition(";")
     command.add_argument(
         f"--{word}",
         dest=setting,
@@ -76,7 +77,7 @@ def _add_flag(
         choices=declaration.choices or None,
         nargs="+" if flag.many else None,
         required=_required(flag),
-        help=f"{declaration.meaning}{unit}{_default(flag)}"
+        help=f"{meaning}{unit}{semicolon}{remark}{_default(flag)}"
         + (f"; {known_materials()}" if setting == "material" else ""),
         **({"metavar": word.upper()} if not declaration.choices else {}),
     )

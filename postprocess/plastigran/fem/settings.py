@@ -24,7 +24,9 @@ class Settings:
     With the defaults, forces are accurate to some tenths of a per cent; see docs/convergence.py.
     """
 
-    divisions: int = whole("number of elements across the core of the mesh", 2, default=6)
+    divisions: int = whole(
+        "number of elements across the core, the part with elements of equal size", 2, default=6
+    )
     fineness: float = number(
         "factor that multiplies the number of rings of elements", "-", 0.1, 10, default=1.0
     )

@@ -46,7 +46,7 @@ def read_pages(evidence: Evidence, folder: Path) -> dict[Path, str]:
         )
     if len(places) != len(set(places)):
         raise ValueError(
-            f"{paths}: a table has two places. Remove the second pair of the lines "
+            f"{paths}: a table has two places. Remove the second pair of lines "
             "`<!-- table NAME -->` and `<!-- end -->`"
         )
     return pages

@@ -91,11 +91,11 @@ def budget_figure(parts: pd.DataFrame, law: str, mean: float) -> Figure:
     axes.barh(places, parts["mean (%)"], color=COLOURS[0], height=0.6, label="mean")
     line = {"color": "0.2", "lw": 1.5, "label": "80 to 940 HV"}
     axes.hlines(places, ends.min(axis=1), ends.max(axis=1), **line)
-    axes.axvline(-mean, color=COLOURS[1], ls="--", label="needed to remove the mean error")
+    axes.axvline(-mean, color=COLOURS[1], ls="--", label="change that would remove the mean error")
     axes.axvline(0, color="0.4", lw=0.8)
     axes.set_yticks(places, parts["source"] + ", " + parts["change"])
     axes.tick_params(axis="y", labelsize=7.5)
-    axes.set(xlabel=f"change of restitution (%), {title(law)}")
+    axes.set(xlabel=f"change of the restitution of {title(law)} (%)")
     axes.legend(fontsize=8)
     return figure
 

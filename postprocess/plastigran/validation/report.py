@@ -74,7 +74,7 @@ def compute(progress: bool, coarse: bool) -> Findings:
 
 EVIDENCE = Evidence(
     name="validation",
-    title="How far every law is off",
+    title="Errors of every law",
     tables=(
         "regimes",
         "restitution",

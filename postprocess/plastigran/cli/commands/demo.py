@@ -50,7 +50,7 @@ def run(arguments: argparse.Namespace) -> None:
     speeds = folder / "speeds"
     show_study(CentralImpact.study(speeds, jobs, force=True, law=names, speed=PAPER_SPEEDS), speeds)
     print("For comparison, the table includes impacts outside the validity range of a law.")
-    print("\nRestitution at 0.1 m/s on a mesh, on a primitive wall, and of two spheres:")
+    print("\nRestitution at 0.1 m/s: sphere on a mesh, sphere on a primitive wall, two spheres")
     impacts = CentralImpact.plan(
         geometry=GEOMETRIES, law=names, speed=0.1, material="aluminium_zv02", radius=0.1
     )

@@ -165,7 +165,7 @@ def _plugin() -> str:
         )
     plugin = next((place for name, place in needed.items() if name == "libplastigran.so"), None)
     if plugin is None:  # the laws were compiled into LIGGGHTS
-        return "none: the laws are part of LIGGGHTS"
+        return "not needed: the laws are part of LIGGGHTS"
     return str(Path(plugin.split(" (")[0]).resolve())
 
 

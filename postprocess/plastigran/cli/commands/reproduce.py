@@ -17,7 +17,9 @@ EXAMPLE = "plastigran reproduce zv02 --coarse"
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
     command.add_argument(
-        "paper", choices=paper_names(), help="name of the paper; each has a page in docs/papers"
+        "paper",
+        choices=paper_names(),
+        help="name of the paper; each paper has a page in docs/papers",
     )
     add_evidence_arguments(command, "results/PAPER", "docs/papers")
     bulk = command.add_argument_group(
@@ -26,7 +28,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         "Finished simulations are not repeated, even with --force.",
     )
     bulk.add_argument(
-        "--case", choices=("impact", "silo", "drum"), help="case of the benchmark, default all"
+        "--case", choices=("impact", "silo", "drum"), help="deck of the benchmark, default all"
     )
     bulk.add_argument(
         "--host",

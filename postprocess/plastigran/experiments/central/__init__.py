@@ -77,8 +77,8 @@ class CentralImpact(Experiment):
     wall: Material | None = material_field("material of the plane, default rigid", None, "_other")
     options: str | None = options_field()
     surface_energy: float | None = surface_energy_field(
-        "value that switches on 'adhesion jkr' in laws with Hertz' elastic contact; laws that need "
-        "a value take it from the material by default. Work of adhesion of the two bodies"
+        "work of adhesion of the two bodies; switches on 'adhesion jkr' in laws with Hertz' "
+        "elastic contact. Default for laws that require it: the value of the material"
     )
     host: str = attrs.field(
         default="liggghts",

@@ -102,7 +102,9 @@ class BenchmarkImpact(Experiment):
     flags: ClassVar = {
         "benchmark": Flag(
             tuple(TITLES),
-            declaration=Declaration("numbers of benchmarks", "-", 1, 8, True, True, value_type=int),
+            declaration=Declaration(
+                "numbers of the impacts to run", "-", 1, 8, True, True, value_type=int
+            ),
         ),
         "law": Flag(DEFAULT_LAW, many=False),
         "steps_per_contact": Flag(DEFAULT_STEPS, "steps", many=False),

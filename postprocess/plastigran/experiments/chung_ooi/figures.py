@@ -52,13 +52,13 @@ SURFACE_ANGLE = Quantity(
 )
 INCIDENT = Quantity(r"$v_t/(\mu v_n)$", lambda impact, _: impact.before.along / _friction(impact))
 RECOIL = Quantity(
-    r"surface speed after, $v_s'/(\mu v_n')$",
+    r"surface speed after the impact, $v_s'/(\mu v_n')$",
     lambda impact, after: (
         impact.surface_speed(after) / (impact.coefficient_of_friction * after.normal)
     ),
 )
 SPIN_SCALED = Quantity(
-    r"spin after, $R\omega'/(\mu v_n)$",
+    r"spin after the impact, $R\omega'/(\mu v_n)$",
     lambda impact, after: after.spin * impact.radius / _friction(impact),
 )
 SLIDING_SHARE = Quantity(
@@ -75,7 +75,7 @@ TANGENT_AFTER = Quantity(
 )
 SPIN = Quantity("spin (rad/s)", lambda impact, _: impact.before.spin)
 SPIN_AFTER = Quantity("spin after (rad/s)", lambda _, after: after.spin)
-ALONG = Quantity("speed along the surface after (m/s)", lambda _, after: after.along)
+ALONG = Quantity("tangential speed after the impact (m/s)", lambda _, after: after.along)
 
 #: Quantities on the x and y axes of each panel, by the number of the benchmark. Benchmarks 4 to 8
 #: are oblique impacts.
@@ -167,7 +167,9 @@ def _restitutions(axes: Axes, entries: list[Entry], style: dict, last: bool) -> 
     if last:
         line = np.linspace(0.02, 1, 200)
         axes.plot(line, central.restitution_without_pull(line), color="0.3", lw=1.3)
-        axes.plot(line, line, ":", color="0.3", lw=1.3, label="a dashpot that may attract")
+        axes.plot(
+            line, line, ":", color="0.3", lw=1.3, label="dashpot with attractive forces allowed"
+        )
     axes.plot(nominal, measured, ls="", mfc="none", ms=7 if last else 10, **style)
     axes.set(xlabel="nominal restitution of the dashpot", ylabel="restitution", xlim=(0, 1.03))
     axes.set_ylim(0, 1.03)

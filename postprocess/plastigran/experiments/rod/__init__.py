@@ -61,7 +61,7 @@ class RodImpact(Experiment):
     flat: Material = material_field("material of the flat", "iron_gcm15")
     # The default is `pair`: all laws in the paper use the effective modulus and radius of the pair.
     reading: str = word(
-        "bodies whose modulus and radius enter the laws that were fitted to one sphere",
+        "whether laws fitted to one sphere use modulus and radius of the pair or the yielding body",
         ("pair", "yielding_body"),
         default="pair",
     )

@@ -37,9 +37,11 @@ class HalfBlock:
     core: float = number("radius inside which elements have equal size", "m", 0)
     reach: float = number("largest contact radius of the mesh", "m", 0)
     size: float = number("radius of the base", "m", 0)
-    divisions: int = whole("number of elements across the core", 2, default=6)
+    divisions: int = whole(
+        "number of elements across the core, the part with elements of equal size", 2, default=6
+    )
     fineness: float = number(
-        "factor that multiplies the number of rings", "-", 0.1, 10, default=1.0
+        "factor that multiplies the number of rings of elements", "-", 0.1, 10, default=1.0
     )
 
     def __attrs_post_init__(self) -> None:
@@ -74,8 +76,8 @@ class TrackBlock:
         ValueError: A field is not positive, or `size` ends within the fine zone.
     """
 
-    half_length: float = number("half length of the track", "m", 0)
-    element: float = number("element length in the middle of the track", "m", 0)
+    half_length: float = number("half length of the track of the sliding contact", "m", 0)
+    element: float = number("element length in the middle of the track of the contact", "m", 0)
     depth: float = number("depth to which elements have equal size", "m", 0)
     size: float = number("radius of the base", "m", 0)
 

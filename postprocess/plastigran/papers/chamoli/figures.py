@@ -44,10 +44,10 @@ def impact_figure(computed: Computed) -> Figure:
     for panel, curve in zip(panels, curves, strict=False):
         panel.plot(time / duration, curve, color="k", ls="--", lw=1, label="Hertz")
     panels[1].legend(loc="lower left", fontsize=8)
-    titles = ("force / largest force of Hertz", "approach / largest approach of Hertz")
+    titles = ("force / largest Hertz force", "approach / largest Hertz approach")
     for panel, title in zip(panels, (*titles, "oscillation (%)"), strict=True):
         panel.set_title(title, fontsize=10)
-        panel.set_xlabel("time / duration of Hertz")
+        panel.set_xlabel("time / duration of a Hertz impact")
     return figure
 
 
@@ -67,10 +67,10 @@ def energies_figure(computed: Computed) -> Figure:
     """
     figure, grid = subplots(2, len(SHOWN), figsize=(11, 5.2), sharex=True)
     parts = (
-        ("kinetic", "kinetic_energy", "-"),
-        ("kinetic, of the center of mass", "centre_kinetic_energy", "--"),
-        ("strain", "elastic_energy", "-"),
-        ("penalty", "penalty_energy", "-"),
+        ("kinetic energy", "kinetic_energy", "-"),
+        ("kinetic energy of the center of mass", "centre_kinetic_energy", "--"),
+        ("strain energy", "elastic_energy", "-"),
+        ("penalty energy", "penalty_energy", "-"),
     )
     for (above, below), impact in zip(grid.T, SHOWN, strict=True):
         vibration = computed.vibrations[impact]
@@ -80,9 +80,11 @@ def energies_figure(computed: Computed) -> Figure:
         for colour, (label, name, line) in zip(COLOURS, parts, strict=False):
             above.plot(time[shown], shares[name][shown], line, color=colour, label=label)
         inner = shares["kinetic_energy"] - shares["centre_kinetic_energy"]
-        below.semilogy(time[shown], inner[shown], color=COLOURS[0], label="vibration, kinetic")
+        below.semilogy(
+            time[shown], inner[shown], color=COLOURS[0], label="kinetic energy of the vibration"
+        )
         strain = shares["elastic_energy"][shown]
-        below.semilogy(time[shown], strain, color=COLOURS[2], label="strain")
+        below.semilogy(time[shown], strain, color=COLOURS[2], label="strain energy")
         below.set_ylim(bottom=1e-3 * vibration.vibration_energy)
         above.set_title(_label(impact), fontsize=10)
         below.set_xlabel("time / duration of contact")
@@ -105,7 +107,7 @@ def restitution_figure(computed: Computed) -> Figure:
     for line, label, values in (
         ("o-", "1 − e, momentum", [1 - v.coefficient_of_restitution for v in vibrations]),
         ("s-", "1 − e, total kinetic energy", [1 - v.kinetic_restitution for v in vibrations]),
-        ("^:", "half the energy in twelve modes", np.array(in_modes) / 2),
+        ("^:", "half of the vibration energy in twelve modes", np.array(in_modes) / 2),
     ):
         axes.loglog(speeds, values, line, color=COLOURS[len(axes.lines)], label=label)
     axes.set_xlabel("speed / $(E/\\rho)^{1/2}$")
@@ -144,7 +146,7 @@ def spectrum_figure(computed: Computed) -> Figure:
         panels[0].text(mode.frequency / 1e3, 2.3, f"n = {mode.degree}", ha="center", fontsize=7)
     panels[0].text(TOROIDAL, 2.3, "toroidal", ha="center", fontsize=7, color=COLOURS[3])
     panels[-1].legend(loc="lower left", fontsize=7, handlelength=1)
-    panels[-1].set_xlabel("frequency scaled to the sphere of 9.3 GPa (kHz)")
+    panels[-1].set_xlabel("frequency, scaled to a Young's modulus of 9.3 GPa (kHz)")
     return figure
 
 

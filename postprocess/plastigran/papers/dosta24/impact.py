@@ -183,7 +183,7 @@ def _draw_published(axis: Axes, count: int) -> None:
         time = next(iter(codes))["time"]
         lowest = np.min([code["displacement"] - code["sd"] for code in codes], axis=0)
         highest = np.max([code["displacement"] + code["sd"] for code in codes], axis=0)
-        label = "eight codes, mean and deviation"
+        label = "mean ± standard deviation of eight codes"
         axis.fill_between(1e3 * time, 1e3 * lowest, 1e3 * highest, color="0.85", label=label)
     if count in PUBLISHED_BEDS:
         for (name, run), style in zip(reruns(count).items(), ("--", ":"), strict=True):

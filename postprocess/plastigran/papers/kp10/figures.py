@@ -57,7 +57,10 @@ def depth_figure(computed: Computed) -> Figure:
         surface.plot(x, y, color=colour, label=direction)
     over_time.set(xlabel="time (µs)", ylabel="depth of the cylinder (µm)")
     over_time.legend(fontsize=8)
-    surface.set(xlabel="position along the surface (µm)", ylabel="surface after the impact (µm)")
+    surface.set(
+        xlabel="position along the surface (µm)",
+        ylabel="height of the surface after the impact (µm)",
+    )
     return figure
 
 

@@ -38,8 +38,8 @@ INSIGNIFICANT = 1e-3
 HEAD_ON_SPEEDS = {10: (0.4, 1.0), 100: (2.0, 5.0)}
 BODIES = {
     "layer": "combined elasticity, 100 µm",
-    "thin": "the same, 50 µm",
-    "thick": "the same, no reflected waves",
+    "thin": "combined elasticity, 50 µm",
+    "thick": "combined elasticity, no reflected waves",
     "glass": "glass alone, 100 µm",
 }
 
@@ -142,9 +142,10 @@ def oblique(computed: Computed) -> pd.DataFrame:
                 "depth/half width at yield": strike.yield_point[1],
                 "force at surface yield (N)": surface["force"],
                 "detected at depth (µm)": MICRO * surface["plastic_top"],
-                "bottom of the zone (µm)": MICRO * history["plastic_bottom"].max(),
+                "bottom of the plastic zone (µm)": MICRO * history["plastic_bottom"].max(),
                 "largest plastic strain": end.plastic_strain.max(),
-                "depth of that strain (µm)": -MICRO * end.positions[end.plastic_strain.argmax(), 1],
+                "depth of the largest plastic strain (µm)": -MICRO
+                * end.positions[end.plastic_strain.argmax(), 1],
                 "drag/force": abs(history["drag"].sum()) / history["force"].sum(),
             }
         )

@@ -44,9 +44,7 @@ def restitution_figure(computed: Computed) -> Figure:
     for speed, impact in computed.impacts.items():
         by_nodes = nodal_restitution(impact)
         axes.plot([speed, speed], [by_nodes.min(), by_nodes.max()], color="0.8", lw=5)
-    axes.plot(
-        [], [], color="0.8", lw=5, label="finite elements, mean of nodes after contact: range"
-    )
+    axes.plot([], [], color="0.8", lw=5, label="finite elements, by mean nodal velocity (range)")
     ours = [impact.coefficient_of_restitution for impact in computed.impacts.values()]
     axes.plot(list(computed.impacts), ours, "ks", ms=6, label="finite elements, by momentum")
     paper = finite_elements().dropna()

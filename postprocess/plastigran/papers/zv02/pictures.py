@@ -40,7 +40,7 @@ def mesh_figure(computed: Computed) -> Figure:
     whole.set_title(f"{mesh.nelements} elements of eight nodes", fontsize=10)
     part.set(xlim=(0, 2.2 * contact_radius), ylim=(0, 1.65 * contact_radius))
     part.plot([0, contact_radius], [0, 0], color=COLOURS[1], lw=4, clip_on=False)
-    part.set_title("near the contact; the bar is the largest contact radius", fontsize=10)
+    part.set_title("near the contact; bar length: largest contact radius", fontsize=10)
     return figure
 
 

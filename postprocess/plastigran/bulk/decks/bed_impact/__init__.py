@@ -116,8 +116,8 @@ class BedImpact(GranularDeck):
                 "difference between the plastic work of the grains and of the energy balance",
                 abs(sum_over_grains - total) / max(total, 1e-300),
                 STEP,
-                "both are sums of the same work, except for the plastic work of one step of "
-                "pouring",
+                "limit: plastic work of one time step of pouring; otherwise, both sums contain "
+                "the same work",
             ),
         ]
         if self.target == "plate":
@@ -143,7 +143,7 @@ def plate_checks(shot: pd.DataFrame, mass: float, dissipated: pd.Series) -> list
     predicted, impact = shot["rebound_predicted"], shot["impact_speed"]
     quantiles = np.sort(shot["rebound_speed"]) - np.sort(predicted)
     lost = 0.5 * mass * (impact**2 - predicted**2).sum()
-    reason = "the integrator's error at an adequate time step"
+    reason = "limit: error of the integrator at an adequate time step"
     return [
         Check(
             "shots that have not left the plate",

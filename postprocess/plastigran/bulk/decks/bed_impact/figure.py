@@ -70,7 +70,7 @@ def _restitution(axes: Axes, ordered: pd.DataFrame, shown: pd.DataFrame) -> None
     speed, points = shown["impact_speed"], {"color": COLOURS[1], "mfc": "none", "ms": 5}
     axes.plot(speed, shown["rebound_speed"] / speed, "o", alpha=0.8, label="shot", **points)
     speed, line = ordered["impact_speed"], {"color": COLOURS[0], "lw": 1.3}
-    label = "the law's central impact on a plate"
+    label = "law: central impact on a plate"
     axes.plot(speed, ordered["rebound_predicted"] / speed, label=label, **line)
     axes.set(xlabel="impact speed (m/s)", ylabel="rebound speed / impact speed")
     axes.legend(loc="best")

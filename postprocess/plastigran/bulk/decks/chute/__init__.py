@@ -40,13 +40,16 @@ class Chute(FlowDeck):
 
     angle: float = number("angle of the chute", "degrees", 0, 90)
     length: int = whole("length along the flow, in cells of two grains", 3)
-    width: int = whole("width across the flow, in cells", 3)
-    depth: int = whole("depth of the flow, in cells", 3)
+    width: int = whole("width across the flow, in cells of two grains", 3)
+    depth: int = whole("depth of the flow, in cells of two grains", 3)
     start_speed: float = number(
-        "initial speed at the surface, with Bagnold's profile", "m/s", 0, lower_allowed=True
+        "initial speed at the surface of a flow with Bagnold's profile",
+        "m/s",
+        0,
+        lower_allowed=True,
     )
     size_spread: float = number(
-        "relative change of the radius: half of the grains smaller, half larger",
+        "fraction by which half of the grains are smaller than radius, and half are larger",
         "-",
         0,
         0.3,
@@ -101,13 +104,13 @@ class Chute(FlowDeck):
         power = linregress(steady["time"], dissipated(steady)).slope
         return [
             Check(
-                "work of gravity compared with the work on the center of mass, relative",
+                "relative difference between work of gravity and the work on the center of mass",
                 (work + series["gravity_predicted"]).abs().max() / work.abs().max(),
                 WEIGHT * trapezia,
-                "error of integrating the mean velocity over the lines of the log",
+                "limit: error of integrating the mean velocity over the lines of the log",
             ),
             Check(
-                "difference between power of the weight and dissipation, relative",
+                "relative difference between power of the weight and dissipated power",
                 abs(power / steady["weight_power"].mean() - 1),
                 STEADY,
                 "in steady flow, friction and yielding dissipate the power of gravity",
@@ -125,7 +128,7 @@ def flow_checks(steady: pd.DataFrame, profile: Profile) -> list[Check]:
     smallest = steady["speed"].min()
     return [
         Check(
-            "mean / smallest speed of the flow",
+            "mean speed / smallest speed of the flow",
             steady["speed"].mean() / smallest if smallest > 0 else np.inf,
             3,
             "a flow that stops has no steady speed",
@@ -134,6 +137,6 @@ def flow_checks(steady: pd.DataFrame, profile: Profile) -> list[Check]:
             "deviation from Bagnold's profile / speed at the surface",
             profile.residual,
             PROFILE,
-            "root mean square; the profile holds for a dense flow of many layers",
+            "root mean square deviation; the profile holds for a dense flow of many layers",
         ),
     ]

@@ -110,13 +110,13 @@ def energy_checks(table: pd.DataFrame) -> list[Check]:
     difference = (table["wallwork"] - table["punch_work"]).abs().max() / table["wallwork"].max()
     return [
         Check(
-            "work of the punch compared with force times travel, relative",
+            "relative difference between the work of the punch and force times travel",
             difference,
             HUNDRED_ROWS * max(1, 100 / len(table)) ** 2,
-            f"error of trapezoidal integration with {len(table)} rows",
+            f"limit: error of trapezoidal integration with {len(table)} rows",
         ),
         Check(
-            "kinetic / elastic energy under load",
+            "kinetic energy / elastic energy under load",
             (loaded["kinetic"] / loaded["elastic"]).max(),
             SLOW,
             "limit for a quasi-static stroke",

@@ -122,7 +122,7 @@ class Drum(FlowDeck):
         angle = steady["angle"].mean()
         return [
             Check(
-                "inclination of the bed against the rotation",
+                "inclination of the bed against the direction of rotation",
                 -angle,
                 0,
                 "the wall drags the bed, so the angle must be positive",
@@ -151,7 +151,7 @@ class Drum(FlowDeck):
         share = linregress(steady["wallwork"], dissipated(steady)).slope
         checks = [
             Check(
-                "difference between power of the wall and dissipation, relative",
+                "relative difference between power of the wall and dissipated power",
                 abs(share - 1),
                 STEADY,
                 "the bed oscillates about a steady state",
@@ -167,8 +167,8 @@ class Drum(FlowDeck):
                     "relative difference between the wall work and the work of the weight's torque",
                     difference / series["wallwork"].abs().max(),
                     LEVER_ARM * trapezia,
-                    "error of integrating the torque of gravity over the lines of the log, plus "
-                    "the error of the lever arm of friction",
+                    "limit: error of integrating the torque of gravity over the lines of the log, "
+                    "plus the error of the lever arm of friction at the wall",
                 )
             )
         return checks

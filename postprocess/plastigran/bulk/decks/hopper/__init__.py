@@ -106,12 +106,12 @@ def discharge_checks(discharge: Discharge) -> list[Check]:
             "discharge rate outside the band of Beverloo's law / nearer edge of the band",
             max(low / discharge.rate, discharge.rate / high),
             1,
-            "experiments scatter: C 0.55 to 0.65, k 1 to 2",
+            "in experiments, the constants of the law are C = 0.55 to 0.65 and k = 1 to 2",
         ),
         Check(
-            "change of the rate between the halves of the steady part, relative",
+            "relative change of the rate between the two halves of the steady discharge",
             abs(discharge.change) / discharge.rate,
             LEVEL + DEVIATIONS * discharge.change_error / discharge.rate,
-            f"{LEVEL:g} for the falling fill level, plus {DEVIATIONS} standard deviations",
+            f"limit: {LEVEL:g} for the falling fill level, plus {DEVIATIONS} standard deviations",
         ),
     ]

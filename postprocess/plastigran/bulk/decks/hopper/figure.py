@@ -67,12 +67,12 @@ def orifices_figure(runs: list[tuple[pd.DataFrame, Discharge, float]]) -> Figure
         width = np.linspace(fit.empty_annulus, 1.05 * widest)
         line = fit.coefficient**0.4 * (width - fit.empty_annulus)
         constants = (
-            f"fit: C = {fit.coefficient:.3f} ± {fit.coefficient_error:.3f}, "
+            f"fit of Beverloo's law: C = {fit.coefficient:.3f} ± {fit.coefficient_error:.3f}, "
             f"k = {fit.empty_annulus:.2f} ± {fit.empty_annulus_error:.2f}"
         )
         right.plot(width, line, color="0.2", lw=1.3, label=constants)
         line = np.clip(law.coefficient**0.4 * (width - law.empty_annulus), 0, None)
-        constants = f"Beverloo: C = {law.coefficient}, k = {law.empty_annulus}"
+        constants = f"Beverloo's law: C = {law.coefficient}, k = {law.empty_annulus}"
         right.plot(width, line, "--", color="0.5", lw=1.3, label=constants)
         right.set(xlim=0, ylim=0, xlabel="orifice / grain diameter, $D_0/d$")
         right.set_ylabel(r"$(W/\rho_b \sqrt{g})^{2/5}/d$")

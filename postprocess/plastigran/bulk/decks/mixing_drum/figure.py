@@ -26,6 +26,6 @@ def zones_figure(series: pd.DataFrame) -> Figure:
             for zone, colour in (1, COLOURS[0]), (2, COLOURS[1]):
                 count = series[f"{size}_{zone}"]
                 axis.plot(series["time"], count, color=colour, label=f"zone {zone}")
-            axis.set(xlabel="time (s)", ylabel=f"{size} grains in the zone")
+            axis.set(xlabel="time (s)", ylabel=f"number of {size} grains in each zone")
             axis.legend()
     return figure

@@ -60,10 +60,10 @@ class UniaxialTest(GranularDeck):
 
     law: str = word("law between grains", sorted([*laws_for("sphere"), *ADHESIVE_LAWS]))
     stiffness_ratio: float = number(
-        "unloading / loading stiffness of edinburgh_2014", "-", 1.0001, 1e6, True, True
+        "unloading stiffness / loading stiffness of edinburgh_2014", "-", 1.0001, 1e6, True, True
     )
     adhesion_ratio: float = number(
-        "adhesive / loading stiffness of edinburgh_2014", "-", 0, 1e6, True, True
+        "adhesive stiffness / loading stiffness of edinburgh_2014", "-", 0, 1e6, True, True
     )
     surface_energy: float = number(
         "surface energy; its JKR pull-off force is the constant force of edinburgh_2014",
@@ -78,25 +78,31 @@ class UniaxialTest(GranularDeck):
     )
     plasticity_depth: float = number("plasticity depth of luding_2008", "-", 0)
     size_spread: float = number(
-        "relative change of the radius: half of the grains smaller, half larger",
+        "fraction by which half of the grains are smaller than radius, and half are larger",
         "-",
         0,
         0.5,
         True,
         True,
     )
-    side: int = whole("cells of two grains along each side of the mold", 2)
-    layers: int = whole("layers of cells", 2)
-    volume_fraction: float = number("volume fraction of the lattice of cells", "-", 0, 0.55)
-    consolidation_stress: float = number("stress of the platen in the mold", "Pa", 0)
-    closing_speed: float = number("speed of the platen on its way to the sample", "m/s", 0)
+    side: int = whole("number of cells of two grains along each side of the mold", 2)
+    layers: int = whole("number of layers of cells of two grains", 2)
+    volume_fraction: float = number(
+        "volume fraction of grains in the initial lattice", "-", 0, 0.55
+    )
+    consolidation_stress: float = number(
+        "stress that the platen exerts at the end of consolidation", "Pa", 0
+    )
+    closing_speed: float = number("speed at which the platen approaches the sample", "m/s", 0)
     speed: float = number(
         "speed of the platen during unloading and compression of the free sample", "m/s", 0
     )
     strain: float = number("largest strain of the free sample", "-", 0, 1)
-    filling: float = number("time for the grains to sink", "s", 0)
-    consolidation: float = number("time for the platen to reach its stress", "s", 0)
-    release: float = number("time of unloading, and of the opening of the mold", "s", 0)
+    filling: float = number("time for the grains to sink in the mold", "s", 0)
+    consolidation: float = number("time for the platen to reach consolidation_stress", "s", 0)
+    release: float = number(
+        "duration of unloading, and duration of the opening of the mold", "s", 0
+    )
 
     def check(self) -> None:
         require(self, "rows", lower=4)
@@ -129,10 +135,10 @@ class UniaxialTest(GranularDeck):
         checks = [
             count_check(table, self.derived("grains")),
             Check(
-                "relative difference between the stress after consolidation and its setting",
+                "relative difference between stress after consolidation and consolidation_stress",
                 abs(strength.consolidation / self.consolidation_stress - 1),
                 REACHED,
-                "the platen has reached its stress; otherwise raise consolidation",
+                "the platen has reached consolidation_stress; otherwise raise consolidation",
             ),
             Check(
                 "stress when the mold opens / consolidation stress",
@@ -215,13 +221,13 @@ def energy_checks(table: pd.DataFrame) -> list[Check]:
     work = platen_work(table).where(moved, 0).cumsum()
     return [
         Check(
-            "work of the platen compared with force times travel, relative",
+            "relative difference between the work of the platen and force times travel",
             (balance - work).abs().max() / balance.max(),
             WORK * max(1, 400 / len(table)) ** 2,
-            f"error of trapezoidal integration with {len(table)} rows",
+            f"limit: error of trapezoidal integration with {len(table)} rows",
         ),
         Check(
-            "kinetic / elastic energy at the end of consolidation",
+            "kinetic energy / elastic energy at the end of consolidation",
             rest["kinetic"] / rest["elastic"],
             SLOW,
             "the sample is at rest; otherwise raise consolidation",
