@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import re
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -39,10 +40,12 @@ def how_far_off(law: str, table: pd.DataFrame) -> str:
             errors.append(f"{rms:.0f}" if rms >= 10 else f"{rms:.2g}")
             start = end
         parts.append(f"{word} {', '.join(errors)} %")
+    *first, last = (f"{start}–{end}" for start, end in pairwise((1, *UPPER_ENDS)))
+    ranges = f"{', '.join(first)} and {last}"
     metals = " of metals outside the fit" if law == FITTED_LAW else ""
     return (
-        f"rms error compared with finite elements{metals}, in "
-        f"[four ranges of speed](../laws.md#accuracy-on-law-pages): {'; '.join(parts)}"
+        f"rms difference from finite elements{metals} at [{ranges} yield speeds]"
+        f"(../laws.md#accuracy-on-law-pages): {'; '.join(parts)}"
     )
 
 
