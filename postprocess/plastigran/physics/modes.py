@@ -215,7 +215,8 @@ def spheroidal_roots(degree: int, poissons_ratio: float, count: int) -> np.ndarr
                 return [(a[0], b[0])] if changes_sign else []
             if b[0] - a[0] < 1e-9:
                 raise ArithmeticError(
-                    f"spheroidal modes near ka = {a[0]:g} are too close to separate"
+                    f"spheroidal modes near wavenumber times radius = {a[0]:g} are too close to "
+                    "separate"
                 )
         depth = max(depth - 1, 0)
         return isolate(a, middle, depth) + isolate(middle, b, depth)

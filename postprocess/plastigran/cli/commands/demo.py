@@ -64,7 +64,7 @@ def run(arguments: argparse.Namespace) -> None:
     gas = folder / "cooling_gas"
     report(run_bulk("cooling_gas", {"side": "8", "frames": "16"}, gas, ranks=2, force=True))
     if with_lammps:
-        print("\nThe first tenth of the same run in LAMMPS:")
+        print("\nThe first tenth of the run of the gas in LAMMPS:")
         lammps = folder / "cooling_gas_in_lammps"
         report(run_bulk("cooling_gas", TENTH, lammps, ranks=2, force=True, host="lammps"))
     print("\nHalf of 2080 yielding grains flow out of a hopper, on two ranks:")

@@ -58,11 +58,15 @@ UNITS = {
     "work_unloading": "J",
     "speed": "m/s",
     "timestep": "s",
-    "kinetic_restitution": "from the kinetic energy, which includes half of the vibration energy",
-    "nodal_restitution": "from the mean velocity of the corner nodes, which includes the vibration",
+    "kinetic_restitution": (
+        "restitution from the kinetic energy, which includes half of the vibration energy"
+    ),
+    "nodal_restitution": (
+        "restitution from the mean velocity of the corner nodes, which includes the vibration"
+    ),
     "vibration_energy": "fraction of the impact energy",
     "contact_time": "s",
-    "coefficient_of_restitution": "from the momentum of the center of mass",
+    "coefficient_of_restitution": "restitution from the momentum of the center of mass",
 }
 
 #: Units of columns in printed tables.

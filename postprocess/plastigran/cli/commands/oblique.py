@@ -32,11 +32,11 @@ plastigran oblique --law hertz --material steel --radius 0.0025 --speed 1 --fric
 COLUMNS = """
 columns of the table:
   angle                   angle of the velocity from the normal before the impact
-  normalized_angle        tan(angle) 4 G*/(mu E*), with the effective shear modulus G*, the
-                          effective Young's modulus E* and the coefficient of friction mu
+  normalized_angle        tan(angle) 4 G*/(mu E*), where mu is the coefficient of friction;
+                          G* and E* are the effective shear modulus and Young's modulus
   normal_restitution      normal speed after the impact / normal speed before the impact
-  tangential_restitution  tangential speed of the center of the sphere after the impact /
-                          the same speed before the impact
+  tangential_restitution  tangential speed of the center after the impact /
+                          tangential speed of the center before the impact
   spin                    spin of the sphere after the impact; it does not spin before
   rebound_angle           angle of the velocity from the normal after the impact
   friction_work           energy dissipated by friction

@@ -43,8 +43,8 @@ class CylinderImpact(CentralImpact):
 
     command = "cylinder"
     help = (
-        "compute impacts of a cylinder on a plane: maps over radius and speed, and one impact "
-        "compared with Katta & Polycarpou (2010)"
+        "compute impacts of a cylinder on a plane: maps of results versus radius and speed, "
+        "and one impact compared with Katta & Polycarpou (2010)"
     )
     example = "plastigran cylinder --points 10"
     shape = "cylinder"

@@ -147,7 +147,7 @@ def silo_figure(data: Runs) -> Figure:
                     axis.plot(
                         run.series["time"], run.series["held"] / 1e3, color=colour, label=name
                     )
-            axis.set(xlabel="time (s)", ylabel="thousand grains in the silo")
+            axis.set(xlabel="time (s)", ylabel="number of grains in the silo (thousands)")
             axis.set_title(f"{orifice} orifice")
             axis.legend()
     return figure

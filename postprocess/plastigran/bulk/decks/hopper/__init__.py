@@ -103,7 +103,7 @@ def discharge_checks(discharge: Discharge) -> list[Check]:
     low, high = discharge.band
     return [
         Check(
-            "discharge rate outside the band of Beverloo's law / nearer edge of the band",
+            "discharge rate outside the band of Beverloo's law, as a ratio to the nearer edge",
             max(low / discharge.rate, discharge.rate / high),
             1,
             "in experiments, the constants of the law are C = 0.55 to 0.65 and k = 1 to 2",

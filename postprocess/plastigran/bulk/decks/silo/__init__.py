@@ -49,7 +49,9 @@ class Silo(GranularDeck):
     seed: int = whole("seed of the random grains")
     volume_fraction: float = number("volume fraction of the initial filling", "-", 0, 0.6)
     duration: float = number("duration of the run", "s", 0)
-    settling: float = number("time before the rate is measured", "s", 0, lower_allowed=True)
+    settling: float = number(
+        "time before the discharge rate is measured", "s", 0, lower_allowed=True
+    )
 
     def check(self) -> None:
         """Check that the grains fit into the silo, and that settling ends before the run.
