@@ -88,7 +88,10 @@ class BenchmarkImpact(Experiment):
     knob: str
     value: float
     modulus_ratio: float | None = number(
-        "Young's modulus of the second sphere / Young's modulus of the first", "-", 0, default=None
+        "Young's modulus of the second sphere / Young's modulus of the first sphere",
+        "-",
+        0,
+        default=None,
     )
     law: str = law_field(DEFAULT_LAW)
     steps_per_contact: int = whole(

@@ -45,7 +45,7 @@ ANGLE = Quantity(
 TANGENTIAL_RESTITUTION = Quantity(
     "tangential restitution $v_t'/v_t$", lambda impact, after: after.along / impact.before.along
 )
-SPIN_GAINED = Quantity("spin after (rad/s)", lambda _, after: -after.spin)
+SPIN_GAINED = Quantity("spin after the impact (rad/s)", lambda _, after: -after.spin)
 SURFACE_ANGLE = Quantity(
     "rebound angle of the contact point (°)",
     lambda impact, after: np.degrees(np.arctan2(impact.surface_speed(after), after.normal)),
@@ -74,7 +74,7 @@ TANGENT_AFTER = Quantity(
     "$v_s'/v_n'$", lambda impact, after: impact.surface_speed(after) / after.normal
 )
 SPIN = Quantity("spin (rad/s)", lambda impact, _: impact.before.spin)
-SPIN_AFTER = Quantity("spin after (rad/s)", lambda _, after: after.spin)
+SPIN_AFTER = Quantity("spin after the impact (rad/s)", lambda _, after: after.spin)
 ALONG = Quantity("tangential speed after the impact (m/s)", lambda _, after: after.along)
 
 #: Quantities on the x and y axes of each panel, by the number of the benchmark. Benchmarks 4 to 8

@@ -49,11 +49,11 @@ def motion_figure(run: RodImpact, measured: RodOutcome) -> Figure:
     points = measured.history.iloc[:: max(1, len(measured.history) // POINTS)]
     panels = {
         "force (kN)": (1e-3, {"force": "normal", "friction_force": "friction"}),
-        "displacement of the centre (µm)": (
+        "displacement of the center (µm)": (
             1e6,
             {"displacement_x": "along the flat", "displacement_y": "normal"},
         ),
-        "velocity of the centre (m/s)": (
+        "velocity of the center (m/s)": (
             1,
             {"velocity_x": "along the flat", "velocity_y": "normal"},
         ),
