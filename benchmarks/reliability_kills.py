@@ -25,7 +25,7 @@ from plastigran.engine.log import LogFollower
 from plastigran.engine.process import EngineError, engines
 
 #: Settings of a granular gas whose run takes some seconds and writes a checkpoint every tenth of a
-# second.
+#: second.
 SMALL = {"side": "5", "duration": "100", "rows": "200", "checkpoints": "50", "mixing": "1"}
 
 

@@ -115,5 +115,5 @@ def test_constants_are_recovered():
 
 
 def test_constants_need_three_orifices():
-    with pytest.raises(ValueError, match="three or more orifices"):
+    with pytest.raises(ValueError, match="three or more orifice diameters"):
         fit_constants(discharges(0.58, 1.4)[:2])

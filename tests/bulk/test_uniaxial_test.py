@@ -115,5 +115,5 @@ def test_measurement_of_a_known_test():
     assert (strength.unconfined, strength.ratio) == (30, 0.3)
     assert strength.failure_strain == pytest.approx(0)
     table.loc[table["stage"] == Stage.CONSOLIDATION, "stress"] = 0
-    with pytest.raises(ValueError, match="raise consolidation"):
+    with pytest.raises(ValueError, match="Raise consolidation"):
         free_height(table)

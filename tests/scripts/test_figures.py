@@ -42,7 +42,7 @@ def test_figures_of_the_bulk_decks(brief_run, bulk_run, tmp_path, monkeypatch):
         f"{name}.png" for name in (*parts[:-1], "bed_impact_bed", "bed_impact_plate")
     )
     # All four orifices have the same run here.
-    with pytest.raises(ValueError, match="need three or more orifices"):
+    with pytest.raises(ValueError, match="three or more orifice diameters"):
         bulk_figures.hoppers()
 
 

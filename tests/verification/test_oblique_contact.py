@@ -97,7 +97,7 @@ def test_histories_are_advanced_copied_and_pickled():
         assert np.array_equal(
             law.respond(1.0, 5.0, [0.01, -0.02], state=copied).force_x, expected.force_x
         )
-    with pytest.raises(ValueError, match="are those of another law"):
+    with pytest.raises(ValueError, match="belong to another law"):
         law.State.__new__(law.State).__setstate__(laws.Incremental.State((2,)).__getstate__())
 
 
