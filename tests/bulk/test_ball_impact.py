@@ -41,8 +41,8 @@ def test_unlimited_strength_gives_the_motion_of_stock_hertz(tmp_path):
 def test_interrupted_run_continues_to_the_same_end(tmp_path, brief_run):
     """`finish_bulk` continues an interrupted run from a checkpoint, and only reads a finished run.
 
-    The displacement of the ball agrees to 1e-6 of its largest value with an uninterrupted run,
-    because the bed amplifies round-off.
+    The displacement of the ball agrees with that of an uninterrupted run only to 1e-6 of its
+    largest value, because the bed amplifies round-off.
     """
     whole = brief_run("ball_impact", "")
     stopped = tmp_path / "runs" / "part_1"

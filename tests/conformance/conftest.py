@@ -23,11 +23,11 @@ def jumps_of_first_loading(law_between):
 
     `jumps_of_first_loading(name, pair)` returns, for each jump, the overlaps [m] just before and
     behind it and the relative change of the force. The two overlaps differ by 1e-12 of their value.
-    The search covers eight decades of overlap in steps of 5e-5. In such a step, a smooth force
-    changes by at most 1e-4; the force of a cylinder changes by at most 3e-4, because its slope
-    grows fivefold at yield. The search uses these small steps only where the change of the force in
-    a step of 5e-4 differs from the changes in neighboring steps. A jump changes the force by 2e-4
-    or more, and the slope of a smooth force changes by 1e-5 from step to step.
+    The search covers eight decades of overlap in coarse steps of 5e-4, relative to the overlap. If
+    the force is smooth, its relative changes in neighboring coarse steps differ by about 1e-5. A
+    jump adds 2e-4 or more. Where the changes differ, the search repeats the coarse step in fine
+    steps of 5e-5. In a fine step, a smooth force changes by at most 1e-4. The force of a cylinder
+    changes by at most 3e-4, because its slope grows fivefold at yield.
     """
 
     @cache

@@ -22,10 +22,10 @@ struct RangeAccount {
   double contacts = 0;  // number of contacts beyond the range
   double furthest = 0;  // largest ratio of overlap to limit
 
-  // Counts a contact when its overlap exceeds the limit (range times R*) for the first time. This
-  // is the case if loading to the limit changes the state that the contact had before this step.
-  // The law is not called if this step left the state unchanged, or if the overlap was well beyond
-  // the limit before this step.
+  // Counts a contact when its overlap exceeds the limit (range times R*) for the first time. The
+  // state stores the largest earlier overlap. It is therefore the first time if loading the
+  // previous state up to the limit would change this state. The law is not called if this step left
+  // the state unchanged, or if the overlap was well beyond the limit before this step.
   template <class Law>
   void add(const Law& law, double range, const DeepContact<typename Law::State>& contact) {
     typedef typename Law::State State;

@@ -91,8 +91,8 @@ class ObliqueImpact:
 
         Let v_s be the surface speed and v_n the closing speed before the impact, mu the coefficient
         of friction and e the restitution. Friction cannot stop the surfaces of rigid bodies if
-        |v_s| >= 7/2 mu (1 + e) v_n. In an elastic contact, |v_s| must also be at least the rate at
-        which the largest possible stretch of the tangential spring grows.
+        |v_s| >= 7/2 mu (1 + e) v_n. In an elastic contact, |v_s| must also be at least the growth
+        rate of mu F/k_t, the stretch at which the tangential spring slips.
         """
         least = max(3.5 * (1 + self.restitution()), self.stretch_ratio)
         speed = abs(self.surface_speed(self.before))

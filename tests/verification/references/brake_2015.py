@@ -36,7 +36,10 @@ class Reference(CentralImpact):
         overlap_p = radius * (1.5 * pi * hardness / material.modulus) ** 2
 
         def shares(overlap):
-            """Return Meyer's index n and the ratio s."""
+            """Return Meyer's index n, and s = (d - d_Y)/(d_p - d_Y) for the overlap d.
+
+            d_Y is the overlap at yield, and d_p the overlap of a fully plastic contact.
+            """
             index = 2.4 if self.reading == "meyer_index 2.4" else 2
             return index, (overlap - overlap_y) / (overlap_p - overlap_y)
 

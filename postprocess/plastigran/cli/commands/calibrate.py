@@ -79,7 +79,8 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
         "--hardness", help="hardness: a number in HV, or with its scale, for example 45HRC or 200HB"
     )
     measured.add_argument(
-        "--leeb", help="rebound hardness: a number in HLD, or with its device, for example 750HLG"
+        "--leeb",
+        help="Leeb (rebound) hardness: a number in HLD, or a number with another scale, such as 750HLG",
     )
     measured.add_argument(
         "--drop", type=Path, metavar="FILE", help="table of drop tests, see docs/calibrate.md"

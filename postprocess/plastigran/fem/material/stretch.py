@@ -91,7 +91,7 @@ class Stretch:
         return result
 
     def _slopes(self) -> np.ndarray:
-        """Return the derivatives of the strain E with respect to F (n, 4, 5)."""
+        """Return the derivatives (n, 4, 5) of 4 strain components by 5 components of F."""
         changes = self._first()[:, None] * self._changes
         tensors = np.einsum("nia,ngab,njb->ngij", self._vectors, changes, self._vectors)
         result = np.zeros((len(tensors), 4, 5))
