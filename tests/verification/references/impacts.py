@@ -54,8 +54,8 @@ def outcome(law: str, index: int) -> Outcome:
     """Return the outcome of an impact; the computations from energies and from motion must agree.
 
     Raises:
-        ValueError: Energies and motion do not agree to 1e-9, or the overlap at which the elastic
-            formula ends is not the yield overlap.
+        ValueError: Energies and motion do not agree to 1e-9, or the elastic formula does not end
+            at a positive overlap at yield.
     """
     row = rows(law)[index]
     impact = _impact(law, row)

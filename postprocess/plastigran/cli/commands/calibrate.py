@@ -80,7 +80,7 @@ def add_arguments(command: argparse.ArgumentParser) -> None:
     )
     measured.add_argument(
         "--leeb",
-        help="Leeb (rebound) hardness: a number in HLD, or a number with another scale, such as 750HLG",
+        help="Leeb (rebound) hardness: a number in HLD, or with another scale, such as 750HLG",
     )
     measured.add_argument(
         "--drop", type=Path, metavar="FILE", help="table of drop tests, see docs/calibrate.md"
