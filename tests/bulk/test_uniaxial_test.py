@@ -88,7 +88,7 @@ def test_sample_that_stays_loaded_is_noted(test_run):
     series = read_series(test_run.folder)
     series["force"] += series["force"].max()
     analysis = test_run.deck.analyse(series)
-    assert "Raise release" in analysis.notes[0]
+    assert "Use a larger value of the setting `release`" in analysis.notes[0]
     assert any("when the mold opens" in check.name for check in analysis.failed)
 
 
