@@ -59,9 +59,11 @@ def find_frames(folder: str | Path) -> list[Frame]:
         folder: Folder of the run, or its folder `frames`.
 
     Raises:
-        SnapshotError: The folder has no frames.
+        SnapshotError: The folder does not exist, or it has no frames.
     """
     folder = Path(folder)
+    if not folder.is_dir():
+        raise SnapshotError(f"{folder} is not a folder. Give the folder of a run")
     if (folder / "frames").is_dir():
         folder = folder / "frames"
 
