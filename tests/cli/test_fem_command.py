@@ -146,7 +146,7 @@ def test_finite_strain_of_a_cylinder_needs_no_warning(capsys, coarse):
         (["press", *METAL, "--force-ratio", "0.5"], r"force +18\.319 +N\n(.+\n)*residual_approach"),
         (
             ["throw", *METAL, "--speed", "0.002"],
-            r"nodal_restitution +[01]\.\d+ +from the mean velocity",
+            r"nodal_restitution +[01]\.\d+ +restitution from the mean velocity",
         ),
         (["vibrate", *ICE, "--speed", "1", "--transits", "2"], r"timestep +\S+ +s\n(.*\n)+modes\n"),
         (
