@@ -13,8 +13,8 @@
 //
 // P0 is the indentation pressure (hardness), n = 2 is perfect plasticity. Force and slope are
 // continuous. The source gives no contact radius. In this law, a^2 changes from R* overlap (Hertz)
-// to 2 R* overlap (plastic indentation), blended like the force. n is at most 2.7, because the force
-// of a larger n would decrease with overlap.
+// to 2 R* overlap (plastic indentation), blended like the force. n is at most 2.7, because the
+// force of a larger n would decrease with overlap.
 #pragma once
 
 #include "plastigran/shared/indentation_pressure.h"
